@@ -31,9 +31,7 @@ def judged_by_conventions(findings: Iterable[Finding], known: Known) -> Iterator
     for finding in findings:
         if finding.rule == _UNSET:
             if readers is None:
-                from launchlint.workspace.variables import read_in_launch_files
-
-                readers = read_in_launch_files(known.packages.workspaces)
+                readers = known.packages.launch_readers()
             finding = _judged(finding, readers)
         yield finding
 

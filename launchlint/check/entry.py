@@ -129,6 +129,7 @@ class EntryChecker:
         changed = {self.session.shown(file) for file in texts}
         other.remember = False
         other._files = {key: result for key, result in self._files.items() if result.path not in changed}
+        other._sights = []
         return other
 
     def check(self, request: EntryRequest) -> EntryResult:

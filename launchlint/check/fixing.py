@@ -99,6 +99,26 @@ class Fixing:
             tuple(self._made), tuple(self._refused), self._outcome, not self._attempts,
         )  # fmt: skip
 
+    def refusal(self, finding: Finding) -> str:
+        """Why the fix of one finding must not be made as things are, in one sentence without a full stop; empty where it may.
+
+        Where it may be made, it has been: to be asked once.
+        """
+        paths = _paths(finding)
+        if not any(map(_is_manifest, paths)):
+            return self._try([finding])
+        for path in paths:
+            file = self._file(path)
+            try:
+                before = self._state.text(file)
+                after = apply(before, [edit for edit in finding.fix.edits if edit.path == path] if finding.fix is not None else [])
+                reason = manifest.refusal(file, before, after) if _is_manifest(path) else ""
+            except CannotEdit as error:
+                reason = str(error)
+            if reason:
+                return reason
+        return ""
+
     # -- launch files ----------------------------------------------------------------------------------------------
 
     def _make(self) -> None:

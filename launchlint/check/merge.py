@@ -17,7 +17,7 @@ from launchlint.finding import Finding, Key, Severity
 from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
 from launchlint.rules.rule import Fine
-from launchlint.rules.view import RunView, SuppressionView
+from launchlint.rules.view import EntrySummary, RunView, SuppressionView
 from launchlint.sight import NOTHING, Sight, together
 from launchlint.verdict import Verdict
 from launchlint.workspace.packages import Packages
@@ -36,6 +36,26 @@ class Outcome(NamedTuple):
     sight: Sight = NOTHING
 
 
+class Overview(NamedTuple):
+    """What hangs on the summaries of all entry files, and no more of them: the same until one of these changes.
+
+    ``parts`` are the paths of entry files that are parts of others (:func:`parts`); ``findings`` what the rules say that look at the run.
+    """
+
+    summaries: tuple[EntrySummary, ...]
+    parts: frozenset[str]
+    findings: tuple[Finding, ...]
+
+
+def overview(summaries: Iterable[EntrySummary], options: Options, packages: Packages, asked: tuple[str, ...] = ()) -> Overview:
+    """What there is to know of a whole run without its single findings."""
+    known = tuple(summaries)
+    view = RunView(known, packages, options.root, tuple(map(os.path.abspath, asked)))
+    rules = (rule for rule in RULES if rule.view == "run" and rule.id in options.rules)
+    told = (found for rule in rules for found in run_rule(rule, view, ".") if isinstance(found, Finding))
+    return Overview(known, parts(known), tuple(told))
+
+
 def merge(
     results: Sequence[EntryResult],
     options: Options,
@@ -45,6 +65,7 @@ def merge(
     workspace: bool = True,
     alone: bool = False,
     asked: tuple[str, ...] = (),
+    whole: Overview | None = None,
 ) -> Outcome:
     """The findings of a whole run.
 
@@ -52,22 +73,29 @@ def merge(
     ``per_file`` says which rules are off where. ``workspace`` runs the rules that look at the whole run; ``alone`` keeps every entry,
     whoever includes it. ``asked`` are the paths people gave; what is wrong in files that are merely installed is told at the include that
     leads there.
+
+    With the overview of the ``whole`` run, ``results`` may be only some of it: then what is told of a file is right if all entry files
+    that lead there are among them.
     """
-    entries = list(results) if alone else without_parts(results)
+    if whole is None:
+        summaries = tuple(result.summary for result in results)
+        whole = overview(summaries, options, packages, asked) if workspace else Overview(summaries, parts(summaries), ())
+    entries = [each for each in results if alone or not (each.summary.needs_caller and each.path in whole.parts)]
+    of_entries = whole.summaries if alone else tuple(each for each in whole.summaries if not _is_part(each, whole.parts))
     findings: dict[Key, Finding] = {}
     reached: dict[Key, set[str]] = {}
     by_default: set[Key] = set()
     fine: set[Fine] = set()
     visited: dict[str, set[int]] = {}
     files: dict[str, FileResult] = {}
-    whole = _parts_in_order(entries)
+    made_whole = _parts_in_order(entries)
     for result in entries:
         fine.update(result.fine)
         for path, indices in result.visited:
             visited.setdefault(path, set()).update(indices)
         for finding in result.findings:
             key = finding.key
-            if result.path in whole.get(Fine(finding.rule, finding.location.path, finding.location.start, finding.topic), ()):
+            if result.path in made_whole.get(Fine(finding.rule, finding.location.path, finding.location.start, finding.topic), ()):
                 continue
             reached.setdefault(key, set()).add(result.path)
             if finding.arguments == result.request.arguments:
@@ -96,12 +124,8 @@ def merge(
             if same is None or finding.severity > same.severity:
                 of_files[finding.key] = finding
     collected += of_files.values()
-    collected = judged(collected, Known(packages, options.root, reached, by_default, tuple(result.summary for result in entries)))
-    if workspace:
-        view = RunView(tuple(result.summary for result in results), packages, options.root, tuple(map(os.path.abspath, asked)))
-        for rule in RULES:
-            if rule.view == "run" and rule.id in options.rules:
-                collected.extend(found for found in run_rule(rule, view, ".") if isinstance(found, Finding))
+    collected = judged(collected, Known(packages, options.root, reached, by_default, of_entries))
+    collected += whole.findings if workspace else ()
     collected = list(Ours(options, asked).brought_home(collected))
     crashes = [finding for finding in collected if finding.rule == INTERNAL_ERROR]
     others = _adjust((finding for finding in collected if finding.rule != INTERNAL_ERROR), options, per_file)
@@ -111,6 +135,10 @@ def merge(
     looked_at = {path for path, file in files.items() if file.launches} | {result.path for result in results}
     sight = together(each.sight for each in entries)
     return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes), verdicts, sight)
+
+
+def _is_part(summary: EntrySummary, parts: frozenset[str]) -> bool:
+    return summary.needs_caller and summary.path in parts
 
 
 def _parts_in_order(entries: Sequence[EntryResult]) -> dict[Fine, set[str]]:
@@ -124,15 +152,21 @@ def _parts_in_order(entries: Sequence[EntryResult]) -> dict[Fine, set[str]]:
 
 
 def without_parts(results: Sequence[EntryResult]) -> list[EntryResult]:
-    """The results without those of files that lack args and that another entry file leads to.
+    """The results without those of files that lack args and that another entry file leads to; see :func:`parts`."""
+    left_out = parts([result.summary for result in results])
+    return [result for result in results if not _is_part(result.summary, left_out)]
 
-    Files that only include each other in a circle are kept, so that the circle is told of.
+
+def parts(entries: Sequence[EntrySummary]) -> frozenset[str]:
+    """The paths of entry files that are parts of others: they lack args, and another entry file leads to them.
+
+    Files that only include each other in a circle are none, so that the circle is told of.
     """
     includes: dict[str, set[str]] = {}
-    for result in results:
-        includes.setdefault(result.path, set()).update(result.summary.included)
-    elsewhere = {path for result in results for path in result.summary.included if path != result.path}
-    dropped = {result.path for result in results if result.summary.needs_caller and result.path in elsewhere}
+    for entry in entries:
+        includes.setdefault(entry.path, set()).update(entry.included)
+    elsewhere = {path for entry in entries for path in entry.included if path != entry.path}
+    dropped = {entry.path for entry in entries if entry.needs_caller and entry.path in elsewhere}
     led_to: set[str] = set()
     waiting = [path for path in includes if path not in dropped]
     candidates = iter(sorted(dropped))
@@ -147,7 +181,7 @@ def without_parts(results: Sequence[EntryResult]) -> list[EntryResult]:
             break
         dropped.discard(in_circle)
         waiting.append(in_circle)
-    return [result for result in results if not (result.summary.needs_caller and result.path in dropped)]
+    return frozenset(dropped)
 
 
 def _better(finding: Finding, known: Finding) -> bool:

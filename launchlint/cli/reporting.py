@@ -15,28 +15,27 @@ from launchlint.check.graphs import Revision, revision
 from launchlint.check.merge import Outcome, merge, without_parts
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
-from launchlint.check.survey import Surveyed, Surveyor, reached, shown_in, survey_entries
+from launchlint.check.survey import Surveyed, Surveyor, survey_entries
 from launchlint.cli.entries import parse_severity, tell
-from launchlint.cli.material import (
+from launchlint.cli.since import Since, since
+from launchlint.errors import UsageError
+from launchlint.finding import Severity
+from launchlint.fingerprint import fingerprints
+from launchlint.project.asked import EntryOptions, leave_others_out
+from launchlint.project.material import (
     base_only,
     beside_base,
+    entry_materials,
     known_programs,
     learnable,
     probe_command,
     reader,
     roots,
     source_prefix,
-    start_command,
     usual_title,
 )
-from launchlint.cli.since import Since, since
-from launchlint.errors import UsageError
-from launchlint.finding import Finding, Severity
-from launchlint.fingerprint import fingerprints
-from launchlint.project.asked import EntryOptions, leave_others_out
 from launchlint.report.html.material import EntryMaterial, Material
 from launchlint.report.text import summary
-from launchlint.workspace.packages import Packages
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -94,7 +93,7 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
         outcome = outcome._replace(findings=told_once(separate))
         kept = {id(result) for result in without_parts(results)}
         pairs = [(each, before) for each, before in zip(surveyed, befores, strict=True) if id(each.result) in kept]
-        entries = _entries(outcome, separate, pairs, surveyor.packages)
+        entries = entry_materials(outcome, separate, pairs, surveyor.packages)
         changed = Since()
         if old is not None:
             gone = base_only(entry, requests, old)
@@ -136,31 +135,6 @@ def _survey(requests: Sequence[EntryRequest], surveyor: Surveyor, given: ReportO
         for each in (bar, reading):
             if each is not None:
                 each.clear()
-
-
-def _entries(
-    outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tuple[Surveyed, Any]], packages: Packages
-) -> list[EntryMaterial]:
-    concerned = reached(outcome.findings, separate, [each for each, _ in pairs])
-    return [
-        EntryMaterial(
-            each.result.path,
-            each.result.outcome,
-            each.topology,
-            before,
-            each.extents,
-            findings,
-            each.result.summary.included,
-            each.details,
-            each.result.sight,
-            probe_command([each.result.path]),
-            shown_in=shown_in([outcome.findings[index] for index in findings], separate, each),
-            given=each.given,
-            whole=each.whole,
-            command=start_command(each.result, packages),
-        )
-        for (each, before), findings in zip(pairs, concerned, strict=True)
-    ]
 
 
 def _material(

@@ -118,17 +118,18 @@ class Session:
     def with_texts(self, texts: Mapping[str, bytes | None]) -> Session:
         """A session in which files hold ``texts``, or again (None) what is on disk.
 
-        What has been read of other files is shared, and blocks that were made without these.
+        What has been read of other files is shared, and blocks that were made without these. It may be made while another thread works
+        with this one: what it shares is copied in one go each.
         """
         changed = {os.path.abspath(file): data for file, data in texts.items()}
         session = Session(self.packages, self.environment, self.root, distro=self.asked_distro)
         overlay = {**self.overlay, **changed}
         session.overlay = {name: data for name, data in overlay.items() if data is not None}
         session._meant = self._meant
-        session._reads = {name: read for name, read in self._reads.items() if name not in changed}
-        session._documents = {name: known for name, known in self._documents.items() if name not in changed}
-        session._readings = {name: known for name, known in self._readings.items() if name not in changed}
-        session.blocks = {key: block for key, block in self.blocks.items() if not any(map(block.is_made_of, changed))}
+        session._reads = {name: read for name, read in list(self._reads.items()) if name not in changed}
+        session._documents = {name: known for name, known in list(self._documents.items()) if name not in changed}
+        session._readings = {name: known for name, known in list(self._readings.items()) if name not in changed}
+        session.blocks = {key: block for key, block in list(self.blocks.items()) if not any(map(block.is_made_of, changed))}
         session.checkpoint = self.checkpoint
         return session
 

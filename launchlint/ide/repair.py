@@ -42,22 +42,10 @@ def actions(view: View, findings: list[Finding], start: int, end: int) -> list[A
     return found
 
 
-def all_safe(view: View, findings: list[Finding]) -> Action | None:
-    """All safe fixes of the file that do not meet each other, as one; None where there are none."""
-    taken: list[Edit] = []
-    of: list[Finding] = []
-    for finding in findings:
-        fix = finding.fix
-        if fix is None or not fix.safe or finding.location.path != view.shown or any(edit.path != view.shown for edit in fix.edits):
-            continue
-        if not any(_meet(one, other) for one in fix.edits for other in taken):
-            taken += fix.edits
-            of.append(finding)
-    return Action("Fix all that launchlint can for certain", tuple(taken), tuple(of), safe=True, fixes=True) if of else None
-
-
-def _meet(one: Edit, other: Edit) -> bool:
-    return one.start <= other.end and other.start <= one.end
+def has_safe(view: View, findings: list[Finding]) -> bool:
+    """Whether there is a safe fix that changes this file alone."""
+    fixes = (each.fix for each in findings if each.location.path == view.shown)
+    return any(fix is not None and fix.safe and all(edit.path == view.shown for edit in fix.edits) for fix in fixes)
 
 
 def _title(message: str, finding: Finding) -> str:

@@ -143,7 +143,7 @@ class OwnSources:
         return [each for each in seen if self._is_ours(each)] or seen if len(seen) > 1 else seen
 
     def _is_ours(self, package: Package) -> bool:
-        is_ament = package.manifest is not None and package.manifest.is_ament
+        is_ament = package.kind.is_ament
         return is_ament is (self.middleware == ROS2)
 
     def places(self) -> Iterator[tuple[str, Mapping[str, list[Package]]]]:

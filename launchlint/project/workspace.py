@@ -14,23 +14,30 @@ from contextlib import contextmanager
 from launchlint.baseline import load
 from launchlint.check.dialects import sort_out
 from launchlint.check.entry import EntryResult
-from launchlint.check.merge import Outcome, merge
+from launchlint.check.merge import Outcome, Overview, merge, overview
 from launchlint.check.options import EntryRequest
 from launchlint.check.surroundings import CONTENT_ENDS, CONTENT_NAMES, ENTRY_ENDS
 from launchlint.finding import Finding, Location
 from launchlint.order import ordered
 from launchlint.project.asked import EntryOptions
+from launchlint.project.drawing import Drawing
 from launchlint.project.known import without_known
+from launchlint.project.reach import Reach
 from launchlint.project.selection import per_file_ignores
 from launchlint.project.watcher import Understood, Watcher
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.decode import decode
 from launchlint.syntax.recovery import Recovered, changed_from, is_readable, recovered
 from launchlint.workspace.configuration import FILE_NAME
+from launchlint.workspace.crawl import ROSPACK
 from launchlint.workspace.discovery import may_be_launch_file
-from launchlint.workspace.looking import PART, state
+from launchlint.workspace.looking import unnoted
 from launchlint.workspace.reading import standing_in
 from launchlint.workspace.source_lists import is_source_list
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.check.fixing import Fixing
 
 
 class OpenWorkspace:
@@ -61,6 +68,8 @@ class OpenWorkspace:
         baseline = asked.configuration.baseline
         self._known = None if baseline is None else load(baseline)
         self._results: dict[EntryRequest, EntryResult] = {}
+        self._reach = Reach()
+        self._whole: Overview | None = None
         self._guessed: dict[EntryRequest, EntryResult] = {}
         self._understood: dict[EntryRequest, Understood] = {}
         self._seen_text: dict[EntryRequest, str] = {}
@@ -74,6 +83,7 @@ class OpenWorkspace:
             self.checker = Watcher(self.options, self.texts, remember=True)
         if self._checkpoint is not None:
             self.checker.session.checkpoint = self._checkpoint
+        self._whole = None
         self._look_beside()
 
     def _look_beside(self) -> None:
@@ -93,8 +103,10 @@ class OpenWorkspace:
                 self.requests[EntryRequest(file, file)] = None
         for request in [each for each in self._results if each not in self.requests]:
             del self._results[request]
+            self._reach.drop(request)
             self._guessed.pop(request, None)
             self._understood.pop(request, None)
+        self._whole = None
         self._waiting = {each: None for each in self.requests if each in self._waiting or each not in self._results}
 
     @contextmanager
@@ -160,28 +172,30 @@ class OpenWorkspace:
         """What hangs on ``changed`` files is to be worked out again."""
         if not changed:
             return
-        if any(map(_is_of_surroundings, changed)):
+        manifests = [file for file in changed if os.path.basename(file) in ROSPACK.manifests]
+        if any(map(_is_of_surroundings, changed.keys() - set(manifests))):
             self._wait_all()
             return
-        again, anew = set[EntryRequest](), False
+        before = [self.checker.packages.described_by(file) for file in manifests]
         with self._looking():
-            for request, result in self._results.items():
-                guessed = self._guessed.get(request, result)
-                if any(name in changed for each in (result, guessed) for name, _ in each.dependencies):
-                    again.add(request)
-                if any(_may_see(path, changed, on_disk=on_disk) and state(path) != known for path, known in result.looks):
-                    again.add(request)
-                    anew = True
+            again = set(self._reach.reading(changed))
+            seen = self._reach.seeing(changed, listed=on_disk)
         appeared = on_disk and any(map(may_be_launch_file, changed))
-        sources = on_disk and any(map(_is_source, changed))
-        if anew or sources or appeared:
+        sources = (on_disk and any(map(_is_source, changed))) or bool(manifests)
+        if seen or sources or appeared:
             self._refresh()
-            if sources:
+        else:
+            with self._looking():
+                self.checker.packages.texts_changed(changed, listed=on_disk)
+            if on_disk:
+                self.checker = self.checker.holding({file: self.texts.get(file) for file in changed})
+                self._look_beside()
+        with self._looking():
+            if any(kind is None or self.checker.packages.described_by(file) != kind for file, kind in zip(manifests, before, strict=True)):
+                again.update(self.requests)  # another package, or one of another kind: everybody who names one asks which there are
+            elif sources:
                 again.update(self._with_other_programs())
-        elif on_disk:
-            self.checker = self.checker.holding({file: self.texts.get(file) for file in changed})
-            self._look_beside()
-        self._wait(again)
+        self._wait((*again, *seen))
         if appeared:
             self._discover()
 
@@ -192,6 +206,21 @@ class OpenWorkspace:
             programs = result.programs
             if any(own is None or own.of(ware).digest((package, table, name)) != known for ware, package, table, name, known in programs):
                 yield request
+
+    def _keep(self, request: EntryRequest, understood: Understood, guessed: EntryResult | None) -> None:
+        """Take what was found in an entry file; ``guessed`` comes from texts that stand in for broken ones."""
+        result, before = understood.result, self._results.get(request)
+        self._results[request] = result
+        self._seen_text[request] = self._text(request)
+        self._understood[request] = understood
+        self._waiting.pop(request, None)
+        if guessed is None:
+            self._guessed.pop(request, None)
+        else:
+            self._guessed[request] = guessed
+        self._reach.put(request, result, *(() if guessed is None else (guessed,)))
+        if before is None or before.summary != result.summary:
+            self._whole = None
 
     def _wait_all(self) -> None:
         self._refresh()
@@ -232,16 +261,10 @@ class OpenWorkspace:
         with self._looking():
             understood = self.checker.understand(request, so_far)
             result = understood.result
-            beside = self._beside
+            beside, guess = self._beside, None
             if beside is not None and any(name in self.broken for name, _ in result.dependencies):
-                understood = beside.understand(request)
-                self._guessed[request] = understood.result
-            else:
-                self._guessed.pop(request, None)
-        self._results[request] = result
-        self._seen_text[request] = self._text(request)
-        self._understood[request] = understood
-        self._waiting.pop(request, None)
+                guess = beside.understand(request)
+        self._keep(request, Understood(result, (guess or understood).configurations), None if guess is None else guess.result)
 
     def _text(self, request: EntryRequest) -> str:
         data = self.texts.get(request.at)
@@ -282,16 +305,35 @@ class OpenWorkspace:
 
     # -- what came of it -------------------------------------------------------------------------------------------
 
-    def outcome(self) -> Outcome:
-        """The findings of all entry files that have been checked, as ``launchlint check`` would tell them."""
-        results = [self._results[request] for request in self.requests if request in self._results]
-        with self._looking():
-            found = merge(results, self.options, self.checker.packages, self.per_file, asked=(self.root,))
-            guessed = [each for request, each in self._guessed.items() if request in self.requests]
+    def outcome(self, files: Collection[str] | None = None) -> Outcome:
+        """The findings of all entry files that have been checked, as ``launchlint check`` would tell them.
+
+        Of ``files`` (absolute), where these are given: then only what tells of them is joined, however many entry files there are.
+        """
+        requests: Iterable[EntryRequest] = self.requests
+        paths = None if files is None else frozenset(map(self.checker.session.shown, files))
+        if paths is not None:
+            telling = self._reach.telling(paths)
+            requests = telling if len(telling) < 2 else [each for each in self.requests if each in telling]
+        results = [self._results[request] for request in requests if request in self._results]
+        with self._looking(), unnoted():
+            whole = self._overview()
+            packages, per_file, asked = self.checker.packages, self.per_file, (self.root,)
+            found = merge(results, self.options, packages, per_file, asked=asked, whole=whole)
+            guessed = [self._guessed[request] for request in requests if request in self._guessed]
             if guessed:
-                more = merge(guessed, self.options, self.checker.packages, self.per_file, workspace=False, asked=(self.root,)).findings
+                more = merge(guessed, self.options, packages, per_file, workspace=False, asked=asked).findings
                 found = found._replace(findings=tuple(ordered([*found.findings, *self._in_broken(more, found.findings)])))
+        if paths is not None:
+            found = found._replace(findings=tuple(each for each in found.findings if each.location.path in paths))
         return found if self._known is None else without_known(found, self._known)
+
+    def _overview(self) -> Overview:
+        """What hangs on the summaries of all entry files, worked out when one of these has changed."""
+        if self._whole is None:
+            summaries = [self._results[request].summary for request in self.requests if request in self._results]
+            self._whole = overview(summaries, self.options, self.checker.packages, (self.root,))
+        return self._whole
 
     def _in_broken(self, guessed: Iterable[Finding], told: Iterable[Finding]) -> Iterator[Finding]:
         """What was found in texts that were recovered, where it stands in the broken ones, and is not told already."""
@@ -312,6 +354,46 @@ class OpenWorkspace:
     def understood(self) -> tuple[Understood, ...]:
         """The entry files whose evaluations are kept."""
         return tuple(self._understood.values())
+
+    # -- mending ---------------------------------------------------------------------------------------------------
+
+    def refusal(self, finding: Finding) -> str:
+        """Why the fix of a finding must not be made, as ``check --fix`` would say it; empty where it may.
+
+        That is proved on the entry files that tell of the files it changes.
+        """
+        paths = [] if finding.fix is None else [finding.location.path, *(edit.path for edit in finding.fix.edits)]
+        with self._looking(), unnoted():
+            return self._fixing(paths, unsafe=True).refusal(finding)
+
+    def repaired(self, file: str) -> bytes | None:
+        """What ``file`` (absolute) holds when all safe fixes have been made in it and nowhere else; None where there are none."""
+        with self._looking(), unnoted():
+            fixed = self._fixing([self.checker.session.shown(file)], only=file, unsafe=False).run()
+        return fixed.files[file][1] if file in fixed.files else None
+
+    def _fixing(self, paths: Collection[str], *, unsafe: bool, only: str | None = None) -> Fixing:
+        from launchlint.check.fixing import Fixing
+
+        telling = self._reach.telling(paths)
+        results = [self._results[request] for request in self.requests if request in telling]
+        return Fixing(
+            self.checker,
+            results,
+            self.per_file,
+            asked=(self.root,),
+            may_change=lambda name: only is None or os.path.normpath(name) == only,
+            told=lambda outcome: outcome if self._known is None else without_known(outcome, self._known),
+            unsafe=unsafe,
+        )
+
+    # -- for those who show it -------------------------------------------------------------------------------------
+
+    def drawing(self, files: Collection[str]) -> Drawing:
+        """What the pages of ``files`` (absolute) are made from; a broken text is drawn as far as it goes."""
+        requests = {request.at: request for request in reversed(self.requests) if request.at in files}
+        texts = {**self.texts, **{file: each.text.encode("utf-8", "surrogateescape") for file, each in self.broken.items()}}
+        return Drawing(requests, texts, self.options, self.per_file)
 
     def including(self) -> dict[str, tuple[str, ...]]:
         """Each entry file that has been checked, as shown, and the files that it leads to."""
@@ -338,11 +420,3 @@ def _is_of_surroundings(file: str) -> bool:
 
 def _is_source(file: str) -> bool:
     return file.endswith((".py", ".cpp", ".cc", ".cxx", ".c", ".h", ".hpp", ".hh", ".hxx", ".in", ".msg", ".srv", ".action", ".cfg"))
-
-
-def _may_see(path: str, changed: Collection[str], *, on_disk: bool) -> bool:
-    """Whether who looked at ``path`` may have seen one of the files; also that it is there, where that may have changed."""
-    file, _, _ = path.partition(PART)
-    if file in changed:
-        return True
-    return on_disk and any(os.path.dirname(each) == path or (path.endswith("**") and each.startswith(path[:-2])) for each in changed)

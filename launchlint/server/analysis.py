@@ -5,10 +5,11 @@ A text that changes stops the work on what was there before. What is ready is ha
 
 from __future__ import annotations
 
+import asyncio
 import logging
 import threading
-from collections.abc import Callable, Iterable, Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Collection, Iterable, Mapping
+from typing import NamedTuple, TypeVar, cast
 
 from launchlint.check.causes import told_once
 from launchlint.errors import LaunchlintError
@@ -17,18 +18,33 @@ from launchlint.finding import Finding
 from launchlint.ide.view import Snapshot
 from launchlint.project.workspace import OpenWorkspace
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.project.drawing import Drawing
+
+Made = TypeVar("Made")
+
 STACK = 256 << 20
 """Bytes of the thread's stack: as deep as files may include each other."""
 _log = logging.getLogger("launchlint.server")
 
 
+def _told(workspace: OpenWorkspace, files: Collection[str]) -> tuple[Finding, ...]:
+    """What is found in each of ``files`` (absolute). What has its cause in another one, too, is told in both: each may be all one sees."""
+    by_path: dict[str, list[Finding]] = {}
+    for finding in workspace.outcome(files).findings:
+        by_path.setdefault(finding.location.path, []).append(finding)
+    return tuple(finding for found in by_path.values() for finding in told_once(found))
+
+
 class Ready(NamedTuple):
-    """What was found in texts of the given ``versions`` (by absolute file); ``whole``: nothing waits any more."""
+    """What was found in texts of the given ``versions`` (by absolute file), and how they are drawn; ``whole``: nothing waits any more."""
 
     versions: Mapping[str, int]
     findings: tuple[Finding, ...]
     snapshot: Snapshot
     whole: bool
+    drawing: Drawing
 
 
 class First(NamedTuple):
@@ -37,6 +53,41 @@ class First(NamedTuple):
     versions: Mapping[str, int]
     findings: tuple[Finding, ...]
     session: Session
+
+
+def _started(work: Callable[[], None]) -> threading.Thread:
+    thread = threading.Thread(target=work, name="launchlint", daemon=True)
+    before = threading.stack_size(STACK)
+    try:
+        thread.start()
+    finally:
+        threading.stack_size(before)
+    return thread
+
+
+async def in_deep_thread(work: Callable[[], Made]) -> Made:
+    """What ``work`` gives, which may go as deep as the evaluation of launch files; it is done in a thread of its own."""
+    loop = asyncio.get_running_loop()
+    done: asyncio.Future[Made] = loop.create_future()
+
+    def give(result: Made | None, error: Exception | None) -> None:
+        if done.cancelled():
+            return
+        if error is not None:
+            done.set_exception(error)
+        else:
+            done.set_result(cast("Made", result))
+
+    def run() -> None:
+        try:
+            result = work()
+        except Exception as error:  # it is raised where it is awaited
+            loop.call_soon_threadsafe(give, None, error)
+        else:
+            loop.call_soon_threadsafe(give, result, None)
+
+    _started(run)
+    return await done
 
 
 class Analysis:
@@ -51,13 +102,9 @@ class Analysis:
         self._texts: dict[str, bytes | None] = {}
         self._versions: dict[str, int] = {}
         self._written: set[str] = set()
+        self._jobs: list[tuple[str, int, Callable[[OpenWorkspace], None], Callable[[], object]]] = []
         self._ends = False
-        self._thread = threading.Thread(target=self._run, name="launchlint", daemon=True)
-        before = threading.stack_size(STACK)
-        try:
-            self._thread.start()
-        finally:
-            threading.stack_size(before)
+        self._thread = _started(self._run)
 
     def hold(self, file: str, data: bytes | None, version: int) -> None:
         """A file (absolute) holds ``data`` in the editor, or (None) is not open any more."""
@@ -75,6 +122,24 @@ class Analysis:
             self._written.update(files)
             self._condition.notify()
 
+    async def ask(self, file: str, version: int, work: Callable[[OpenWorkspace], Made]) -> Made | None:
+        """What ``work`` makes of the workspace, in its thread, while ``file`` (absolute) has that version; None where somebody types."""
+        loop = asyncio.get_running_loop()
+        done: asyncio.Future[Made | None] = loop.create_future()
+
+        def give(made: Made | None) -> None:
+            if not done.done():
+                done.set_result(made)
+
+        def run(workspace: OpenWorkspace) -> None:
+            made = work(workspace)
+            loop.call_soon_threadsafe(give, made)
+
+        with self._condition:
+            self._jobs.append((file, version, run, lambda: loop.call_soon_threadsafe(give, None)))
+            self._condition.notify()
+        return await done
+
     def end(self) -> None:
         """Stop, and wait until it has."""
         with self._condition:
@@ -85,8 +150,27 @@ class Analysis:
     # -- in the thread ---------------------------------------------------------------------------------------------
 
     def _checkpoint(self) -> None:
-        if self._texts or self._written or self._ends:
+        if self._texts or self._written or self._jobs or self._ends:
             raise Stopped
+
+    def _answer(self, workspace: OpenWorkspace) -> None:
+        """Do what was asked for, each as long as its file is as it was."""
+        while self._jobs and not self._texts:
+            with self._condition:
+                file, version, run, give_up = self._jobs.pop(0)
+                current = self._versions.get(file) == version
+            jobs, self._jobs = self._jobs, []  # what else is asked for does not stop this
+            try:
+                if not current:
+                    give_up()
+                else:
+                    run(workspace)
+            except BaseException:
+                give_up()
+                raise
+            finally:
+                with self._condition:
+                    self._jobs = [*jobs, *self._jobs]
 
     def _run(self) -> None:
         workspace: OpenWorkspace | None = None
@@ -118,7 +202,7 @@ class Analysis:
 
     def _wait(self) -> None:
         with self._condition:
-            while not (self._texts or self._written or self._ends):
+            while not (self._texts or self._written or self._jobs or self._ends):
                 self._condition.wait()
 
     def _step(self, workspace: OpenWorkspace) -> None:
@@ -132,6 +216,7 @@ class Analysis:
         if texts:
             workspace.hold(texts)
         opened = set(versions)
+        self._answer(workspace)
         waiting = workspace.waiting(opened)
         near = [each for each in waiting if each.at in opened]
         for request in near:
@@ -149,13 +234,13 @@ class Analysis:
     def _tell_first(self, workspace: OpenWorkspace, versions: Mapping[str, int]) -> None:
         """What is known before all configurations have been looked at."""
         self._checkpoint()
-        self._tell(First(versions, told_once(workspace.outcome().findings), workspace.checker.session))
+        self._tell(First(versions, _told(workspace, versions), workspace.checker.session))
 
     def _hand_over(self, workspace: OpenWorkspace, versions: Mapping[str, int], *, whole: bool) -> None:
         self._checkpoint()
-        findings = told_once(workspace.outcome().findings)
+        findings = _told(workspace, versions)
         snapshot = Snapshot(
             workspace.checker.session, workspace.checker.library, workspace.options.style, workspace.understood(), workspace.including(),
             dict(workspace.broken),
         )  # fmt: skip
-        self._tell(Ready(versions, findings, snapshot, whole))
+        self._tell(Ready(versions, findings, snapshot, whole, workspace.drawing(versions)))

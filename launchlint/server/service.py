@@ -10,11 +10,13 @@ from pygls.lsp.server import LanguageServer
 
 from launchlint import __version__
 from launchlint.check.run import default_directory
+from launchlint.ide.repair import Replacement, changes
 from launchlint.ide.view import Snapshot, View
 from launchlint.server.addresses import path_of
 from launchlint.server.analysis import Analysis, First, Ready
 from launchlint.server.diagnostics import by_file
 from launchlint.server.documents import Document, Documents
+from launchlint.syntax.decode import decode
 from launchlint.workspace.repository import repository_root
 
 TYPE_CHECKING = False
@@ -36,6 +38,8 @@ class Service(LanguageServer):
         self._ready: dict[str, Ready] = {}
         self._published: dict[str, list[types.Diagnostic]] = {}
         self._changed: asyncio.Condition | None = None
+        self._drawn: dict[str, tuple[object, ...]] = {}
+        self._proved: dict[str, tuple[Ready | None, dict[int, bool]]] = {}
 
     # -- workspaces ----------------------------------------------------------------------------------------------
 
@@ -54,7 +58,7 @@ class Service(LanguageServer):
                 loop.call_soon_threadsafe(self._take, root, ready)
 
             def fail(message: str) -> None:
-                loop.call_soon_threadsafe(self._say, message)
+                loop.call_soon_threadsafe(self.say, message)
 
             self._analyses[root] = Analysis(root, default_directory(), tell, fail)
         return self._analyses[root]
@@ -70,7 +74,8 @@ class Service(LanguageServer):
             analysis.end()
         self._analyses.clear()
 
-    def _say(self, message: str) -> None:
+    def say(self, message: str) -> None:
+        """Show people what keeps the server from working."""
         self.window_show_message(types.ShowMessageParams(types.MessageType.Error, f"launchlint: {message}"))
 
     # -- what is ready -------------------------------------------------------------------------------------------
@@ -86,6 +91,8 @@ class Service(LanguageServer):
             if document is not None and file in ready.versions and self._published.get(file) != found:
                 self._published[file] = found
                 self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(document.address, found, document.version))
+        if isinstance(ready, Ready):
+            self._tell_of_drawings(ready)
         self._notifying = asyncio.ensure_future(self._notify())
 
     async def _notify(self) -> None:
@@ -98,8 +105,23 @@ class Service(LanguageServer):
             self._changed = asyncio.Condition()
         return self._changed
 
+    def watch_drawing(self, document: Document) -> None:
+        """The drawing of an open file was asked for: from now on whoever shows it is told when it is out of date."""
+        ready = self.ready_for(document)
+        self._drawn[document.file] = () if ready is None else _evaluations(ready, document.file)
+
+    def _tell_of_drawings(self, ready: Ready) -> None:
+        for file, before in self._drawn.items():
+            document = self.documents.get(file)
+            now = _evaluations(ready, file)
+            if document is not None and file in ready.versions and not _are_same(now, before):
+                self._drawn[file] = now
+                self.protocol.notify("launchlint/topologyChanged", {"uri": document.address})
+
     def forget(self, document: Document) -> None:
         """A file was closed: nothing is said of it any more."""
+        self._drawn.pop(document.file, None)
+        self._proved.pop(document.file, None)
         if self._published.pop(document.file, None):
             self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(document.address, []))
 
@@ -151,8 +173,38 @@ class Service(LanguageServer):
         """What is known of each workspace."""
         return [each.snapshot for each in self._ready.values()]
 
+    async def is_proved(self, document: Document, finding: Finding) -> bool:
+        """Whether the fix of a finding may be made, as ``check --fix`` would make it."""
+        ready = self.ready_for(document)
+        proved = self._proved.get(document.file)
+        if proved is None or proved[0] is not ready:
+            proved = self._proved[document.file] = (ready, {})
+        if id(finding) not in proved[1]:
+            reason = await self.analysis_of(document.file).ask(document.file, document.version, lambda held: held.refusal(finding))
+            if reason is None:
+                return False
+            proved[1][id(finding)] = not reason
+        return proved[1][id(finding)]
+
+    async def repaired(self, document: Document) -> list[Replacement]:
+        """The changes that all safe fixes of an open file come to, proved together."""
+        file = document.file
+        after = await self.analysis_of(file).ask(file, document.version, lambda held: held.repaired(file) or b"")
+        return changes(document.text, decode(after).text) if after else []
+
     def findings(self, document: Document) -> list[Finding]:
         """What was found in an open file."""
         ready = self.ready_for(document)
         shown = "" if ready is None else ready.snapshot.session.shown(document.file)
         return [] if ready is None else [each for each in ready.findings if each.location.path == shown]
+
+
+def _evaluations(ready: Ready, file: str) -> tuple[object, ...]:
+    """What a file comes to as an entry file: equal as long as nobody has looked at it again."""
+    return tuple(
+        configuration for each in ready.snapshot.entries if each.result.request.at == file for configuration in each.configurations
+    )
+
+
+def _are_same(some: tuple[object, ...], others: tuple[object, ...]) -> bool:
+    return len(some) == len(others) and all(one is other for one, other in zip(some, others, strict=True))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from launchlint.server.features import asking, completing, repairing, showing, synchronising
+from launchlint.server.features import asking, completing, drawing, repairing, showing, synchronising
 from launchlint.server.service import Service
 
 
 def made() -> Service:
     """A server that answers everything."""
     server = Service()
-    for feature in (synchronising, asking, completing, repairing, showing):
+    for feature in (synchronising, asking, completing, repairing, showing, drawing):
         feature.register(server)
     return server
 

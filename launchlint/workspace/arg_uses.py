@@ -25,14 +25,25 @@ _PASSED = re.compile(r"<arg\b[^<>]{0,1000}?\bname\s*=\s*[\"'](\w+)[\"']")
 _ANY = ""
 
 
+class _Uses(NamedTuple):
+    """What one file gives: the launch files that it starts, and those that it includes, each with names of args."""
+
+    starts: tuple[tuple[str, frozenset[str]], ...]
+    includes: tuple[tuple[str, frozenset[str]], ...]
+
+
+_NOTHING = _Uses((), ())
+
+
 class ArgUses(NamedTuple):
     """By name of the launch file (without directories): the args given to it with ``:=``, each with the files (absolute) that do, and
-    the args that includes pass; and the places that were looked at.
+    the args that includes pass; the places that were looked at; and what each file (absolute) gives.
     """
 
     given: Mapping[str, Mapping[str, tuple[str, ...]]]
     passed: Mapping[str, frozenset[str]]
     looked: frozenset[str]
+    of_files: Mapping[str, _Uses]
 
     def giver(self, file: str, name: str) -> str | None:
         """A file other than ``file`` (absolute) itself that names it and gives the arg ``name`` with ``:=``."""
@@ -46,23 +57,40 @@ class ArgUses(NamedTuple):
         """Whether an include of a file of that name, or one whose name is computed, passes the arg."""
         return any(name in self.passed.get(each, ()) for each in (os.path.basename(file), _ANY))
 
+    def after(self, files: Iterable[str]) -> ArgUses:
+        """The same when ``files`` (absolute, of those that were looked at) hold something else; itself where that makes no difference."""
+        found = {file: _uses(file, text) for file, text in texts([("", sorted(files))], _MOST_FILES, set())}
+        if all(self.of_files.get(file, _NOTHING) == uses for file, uses in found.items()):
+            return self
+        of_files = {file: found.get(file, uses) for file, uses in self.of_files.items()}
+        return _together(of_files, self.looked)
+
 
 def read_arg_uses(directories: Iterable[str]) -> ArgUses:
     """The args that launch files, scripts, services and documents below ``directories`` give to launch files. Bounded; never raises."""
+    looked: set[str] = set()
+    return _together({file: _uses(file, text) for file, text in texts(_places(directories), _MOST_FILES, looked)}, frozenset(looked))
+
+
+def _uses(file: str, text: str) -> _Uses:
+    if not file.endswith(_LAUNCH_ENDS):
+        return _Uses(tuple(_starts(text, is_launch=False)), ())
+    text = _COMMENT.sub("", text)
+    return _Uses(tuple(_starts(text, is_launch=True)), tuple(_includes(text)))
+
+
+def _together(of_files: Mapping[str, _Uses], looked: frozenset[str]) -> ArgUses:
     given: dict[str, dict[str, tuple[str, ...]]] = {}
     passed: dict[str, set[str]] = {}
-    looked: set[str] = set()
-    for file, text in texts(_places(directories), _MOST_FILES, looked):
-        is_launch = file.endswith(_LAUNCH_ENDS)
-        if is_launch:
-            text = _COMMENT.sub("", text)
-            _note_includes(text, passed)
-        for started, names in _starts(text, is_launch=is_launch):
+    for file, uses in of_files.items():
+        for started, names in uses.starts:
             givers = given.setdefault(started, {})
             for each in names:
                 if file not in givers.get(each, ()):
                     givers[each] = (*givers.get(each, ()), file)[:2]
-    return ArgUses(given, {key: frozenset(value) for key, value in passed.items()}, frozenset(looked))
+        for included, names in uses.includes:
+            passed.setdefault(included, set()).update(names)
+    return ArgUses(given, {key: frozenset(value) for key, value in passed.items()}, looked, of_files)
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
@@ -75,7 +103,7 @@ def _may_start(name: str) -> bool:
     return name not in _NOT_LAUNCH and (name.endswith((*_LAUNCH_ENDS, *_OTHER_ENDS)) or name.startswith("Dockerfile"))
 
 
-def _starts(text: str, *, is_launch: bool) -> Iterator[tuple[str, set[str]]]:
+def _starts(text: str, *, is_launch: bool) -> Iterator[tuple[str, frozenset[str]]]:
     """Launch files that the text names with the args that it gives: those of the same line; in a launch file, those of any node's args."""
     if ":=" not in text:
         return
@@ -83,15 +111,16 @@ def _starts(text: str, *, is_launch: bool) -> Iterator[tuple[str, set[str]]]:
     if is_launch:
         lines = [" ".join([*_ARGS.findall(text), *_FILE.findall(text)])]
     for line in lines:
-        names = set(_GIVEN.findall(line)) if ":=" in line else set()
-        for started in set(_FILE.findall(line)) if names else ():
+        names = frozenset(_GIVEN.findall(line)) if ":=" in line else frozenset()
+        for started in dict.fromkeys(_FILE.findall(line)) if names else ():
             yield started, names
 
 
-def _note_includes(text: str, passed: dict[str, set[str]]) -> None:
+def _includes(text: str) -> Iterator[tuple[str, frozenset[str]]]:
+    """The launch files that the text includes, with the args that it passes."""
     for part in text.split("<include")[1:]:
         inside, _, _ = part.partition("</include>")
         file = _INCLUDED.search(inside[:2_000])
         if file is not None:
             name = file[1].rpartition("/")[2]
-            passed.setdefault(_ANY if "$(" in name or ")" in name else name, set()).update(_PASSED.findall(inside))
+            yield _ANY if "$(" in name or ")" in name else name, frozenset(_PASSED.findall(inside))

@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from _thread import _local
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from typing import TypeVar
 
 MOST_NAMES = 2_000
@@ -15,7 +16,7 @@ MOST_NAMES = 2_000
 
 LARGEST_FILE = 1 << 20
 """Bytes: as :data:`launchlint.workspace.reading.LARGEST_FILE`."""
-_ALL_BELOW = "**"
+ALL_BELOW = "**"
 _OF_NPM = "node_modules"
 _PYTHON_ENVIRONMENT = "pyvenv.cfg"
 PART = "//"
@@ -107,7 +108,7 @@ def read_bytes(path: str, largest: int = LARGEST_FILE) -> bytes:
 
 def note_tree(directory: str) -> None:
     """Note that which files there are below ``directory``, and which of them can be run, matters."""
-    _account.noted[-1].add(os.path.join(os.path.abspath(directory), _ALL_BELOW))
+    _account.noted[-1].add(os.path.join(os.path.abspath(directory), ALL_BELOW))
 
 
 def noted() -> frozenset[str]:
@@ -128,6 +129,26 @@ def watched(work: Callable[[], T]) -> tuple[T, frozenset[str]]:
     return result, looked
 
 
+class _Deaf(set[str]):
+    """An account in which nothing is noted."""
+
+    def add(self, _: str) -> None:
+        """Nothing."""
+
+    def update(self, *_: Iterable[str]) -> None:
+        """Nothing."""
+
+
+@contextmanager
+def unnoted() -> Iterator[None]:
+    """While it lasts nothing is noted: what is looked at is of no concern to whatever this thread works on."""
+    _account.noted.append(_Deaf())
+    try:
+        yield
+    finally:
+        _account.noted.pop()
+
+
 def note(paths: Iterable[str]) -> None:
     """Note ``paths`` (absolute) again."""
     _account.noted[-1].update(paths)
@@ -146,8 +167,8 @@ def state(path: str) -> str:
 
             listed = "\0".join(part_of(file, part)).encode("utf-8", "surrogateescape")
             return f"part {sha1(listed, usedforsecurity=False).hexdigest()}"
-        if path.endswith(os.sep + _ALL_BELOW):
-            return f"tree {sha1(_tree(path[: -len(_ALL_BELOW)]), usedforsecurity=False).hexdigest()}"
+        if path.endswith(os.sep + ALL_BELOW):
+            return f"tree {sha1(_tree(path[: -len(ALL_BELOW)]), usedforsecurity=False).hexdigest()}"
         if os.path.isdir(path):
             listed = "\0".join(sorted(os.listdir(path))).encode("utf-8", "surrogateescape")
             return f"directory {sha1(listed, usedforsecurity=False).hexdigest()}"

@@ -32,7 +32,7 @@ def read_nodelet_classes(package: Package) -> tuple[Mapping[str, NodeletClass], 
     """The nodelet classes that ``package`` exports, sorted by name, and the reasons why there may be more. Never raises."""
     found: dict[str, NodeletClass] = {}
     reasons: list[str] = []
-    if package.manifest is None:
+    if package.kind.is_broken:
         reasons.append(f"{os.path.basename(package.manifest_path)} cannot be used: {package.broken}")
     for path in package.nodelet_plugin_files:
         classes, reason = plugin_classes(path)

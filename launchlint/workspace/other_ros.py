@@ -72,8 +72,9 @@ def _is_ros2(packages: Packages) -> bool:
     distribution of ROS 1, and something names one of ROS 2, or colcon has built here.
     """
     own = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
-    ament = sum(each.manifest is not None and each.manifest.ros_versions == _ONLY_ROS2 for each in own)
-    if not ament or 2 * ament < sum(map(_is_of_catkin, own)):
+    kinds = [each.kind for each in own]
+    ament = sum(each.ros_versions == _ONLY_ROS2 for each in kinds)
+    if not ament or 2 * ament < sum(each.is_catkin and not each.is_ament for each in kinds):
         return False
     from launchlint.workspace.named_distributions import named_distributions
 

@@ -3,14 +3,31 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from copy import copy
+from typing import NamedTuple
 
+from launchlint.workspace.looking import note
 from launchlint.workspace.manifest import Manifest, read_manifest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.crawl import Crawled
+
+
+class Kind(NamedTuple):
+    """What a package is called, whether it can be read, what builds it, and the nodelet plugin descriptions that it exports; see
+    :class:`~launchlint.workspace.manifest.Manifest`.
+    """
+
+    name: str
+    is_metapackage: bool
+    is_broken: bool
+    is_catkin: bool = False
+    is_ament: bool = False
+    ros_versions: frozenset[str] = frozenset()
+    build_types: Collection[str] = ()
+    plugins: Collection[str] = ()
 
 
 class Package:
@@ -43,7 +60,21 @@ class Package:
 
     @property
     def manifest(self) -> Manifest | None:
-        """The whole manifest with places; ``None`` where it is broken (``broken`` then says why)."""
+        """The whole manifest with places; ``None`` where it is broken (``broken`` then says why). Who asks for it has looked at it."""
+        note((self.manifest_path,))
+        return self._whole
+
+    @property
+    def kind(self) -> Kind:
+        """What it is to all launch files of a workspace, whoever asks: this alone is not noted as a look at the manifest."""
+        manifest = self._whole
+        built = () if manifest is None else (
+            manifest.is_catkin, manifest.is_ament, manifest.ros_versions, manifest.build_types, manifest.plugins,
+        )  # fmt: skip
+        return Kind(self.name, self.is_metapackage, bool(self.broken), *built)
+
+    @property
+    def _whole(self) -> Manifest | None:
         if not self._read:
             self._read = True
             try:
@@ -71,6 +102,4 @@ class Package:
     @property
     def nodelet_plugin_files(self) -> tuple[str, ...]:
         """Paths of the nodelet plugin descriptions it exports, whether or not they exist (``<nodelet plugin="${prefix}/…"/>``)."""
-        if self.manifest is None:
-            return ()
-        return tuple(os.path.join(self.directory, each) for each in self.manifest.plugins)
+        return tuple(os.path.join(self.directory, each) for each in self.kind.plugins)

@@ -10,10 +10,10 @@ For ROS 2 (:attr:`Packages.colcon`) the order is: the workspaces, ``AMENT_PREFIX
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
 from launchlint.workspace.crawl import COLCON, ROSPACK, Way, examine
-from launchlint.workspace.package import Package
+from launchlint.workspace.package import Kind, Package
 from launchlint.workspace.place import Hidden, Place
 from launchlint.workspace.prefixes import Prefix, ament_prefixes, prefixes
 from launchlint.workspace.public_packages import PublicPackages, public_names
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from launchlint.workspace.environment_hooks import Hooks
     from launchlint.workspace.mentions import Mentions
     from launchlint.workspace.releases import Needs
+    from launchlint.workspace.variables import Readers
 
     class Looked(Protocol):
         """What was seen, with all that was looked at for it."""
@@ -72,6 +73,7 @@ class Packages:
         self._places: list[Place] | None = None
         self._prefixes: list[Prefix] | None = None
         self._made: dict[Callable[..., Any], Any] = {}
+        self._read_for: dict[Callable[..., Any], tuple[str, ...]] = {}
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
         self._sources: dict[str, Place] = {}
@@ -92,9 +94,17 @@ class Packages:
         return Packages(self.workspaces, self._environment, explicit=self._explicit, complete=self._complete, way=way)
 
     def once(self, make: Callable[[Packages], Made]) -> Made:
-        """What ``make`` (a class or a function of a module) makes of these packages, made once and kept with them."""
+        """What ``make`` (a class or a function of a module) makes of these packages, made once and kept with them.
+
+        Whoever asks hangs on the manifests that were read for it.
+        """
+        from launchlint.workspace.looking import note, watched
+
         if make not in self._made:
-            self._made[make] = make(self)
+            self._made[make], looked = watched(lambda: make(self))
+            self._read_for[make] = tuple(path for path in looked if path.endswith(ROSPACK.manifests))
+        if self._read_for[make]:
+            note(self._read_for[make])
         made: Made = self._made[make]
         return made
 
@@ -107,6 +117,25 @@ class Packages:
         seen: Seen = self._made[read]
         note(seen.looked)
         return seen
+
+    def texts_changed(self, files: Collection[str], *, listed: bool) -> None:
+        """Files (absolute) hold something else: what was seen of their texts in the whole workspace is looked at again, when asked for.
+
+        ``listed``: they may also have been made or removed. What manifests and build files hold is the same.
+        """
+        from launchlint.workspace.texts import parts_of
+
+        directories = {os.path.dirname(file) for file in files} if listed else frozenset()
+        for read, seen in list(self._made.items()):
+            if isinstance(seen, Packages):
+                seen.texts_changed(files, listed=listed)
+                continue
+            looked: frozenset[str] = getattr(seen, "looked", frozenset())
+            met = [file for file in files if file in looked or not looked.isdisjoint(parts_of(file))]
+            if not looked.isdisjoint(directories) or (met and not hasattr(seen, "after")):
+                del self._made[read]
+            elif met:
+                self._made[read] = seen.after(met)
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -152,6 +181,11 @@ class Packages:
         for each in walked:
             self._of_directory[each] = answer
         return answer
+
+    def described_by(self, file: str) -> Kind | None:
+        """What the package is of which ``file`` (absolute) is the manifest; ``None`` where it is none that counts."""
+        package = self.package_of(os.path.dirname(file))
+        return None if package is None or package.manifest_path != file else package.kind
 
     def names(self) -> list[str]:
         """Names of all packages, sorted."""
@@ -253,6 +287,12 @@ class Packages:
         from launchlint.workspace.arg_uses import read_arg_uses
 
         return self._survey(read_arg_uses)
+
+    def launch_readers(self) -> Readers:
+        """Which environment variables launch files of the workspaces read."""
+        from launchlint.workspace.variables import read_in_launch_files
+
+        return self._survey(read_in_launch_files)
 
     def launch_files(self, name: str) -> tuple[str, ...]:
         """The launch files (absolute) of the workspaces that are called ``name``, whatever directory they lie in."""

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from launchlint.workspace.looking import PART, content
-from launchlint.workspace.text_parts import LARGEST, part_of
+from launchlint.workspace.text_parts import LARGEST, PARTS, part_of
 
 
 def texts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str]) -> Iterator[tuple[str, str]]:
@@ -35,3 +35,8 @@ def _files(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[s
                 break
             most -= 1
             yield os.path.join(directory, name)
+
+
+def parts_of(file: str) -> tuple[str, ...]:
+    """The parts of a file (absolute) as they are noted where something hangs on them alone."""
+    return tuple(f"{file}{PART}{part}" for part in PARTS)

@@ -48,10 +48,13 @@ def read_variables(directories: Iterable[str]) -> Variables:
 
 
 class Readers(NamedTuple):
-    """How many launch files read each variable without a default, and the variables that some launch file has a default for."""
+    """How many launch files read each variable without a default, the variables that some launch file has a default for, and the places
+    that were looked at.
+    """
 
     counts: Mapping[str, int]
     optional: frozenset[str]
+    looked: frozenset[str]
 
     def family(self, name: str) -> tuple[str, int]:
         """What the variable's name begins with, up to the first ``_``, and how many begin so that are never read with a default."""
@@ -63,10 +66,11 @@ def read_in_launch_files(directories: Iterable[str]) -> Readers:
     """The variables that launch files below ``directories`` read. Bounded; never raises."""
     counted: Counter[str] = Counter()
     optional: set[str] = set()
-    for _, text in texts(_places(directories, lambda name: name.endswith(_LAUNCH_ENDS)), _MOST_FILES, set()):
+    looked: set[str] = set()
+    for _, text in texts(_places(directories, lambda name: name.endswith(_LAUNCH_ENDS)), _MOST_FILES, looked):
         counted.update(set(_LAUNCH.findall(text)))
         optional.update(one or other for one, other in _OPTIONAL.findall(text))
-    return Readers(counted, frozenset(optional))
+    return Readers(counted, frozenset(optional), frozenset(looked))
 
 
 def _places(directories: Iterable[str], wanted: Callable[[str], bool]) -> Iterator[tuple[str, list[str]]]:

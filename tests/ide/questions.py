@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from launchlint.ide import calls, completion, hints, hover, navigation, outline, repair
+from launchlint.ide import calls, completion, drawing, hints, hover, navigation, outline, repair
 from launchlint.ide.view import Snapshot, View
 from launchlint.project.workspace import OpenWorkspace
 from launchlint.source import Span
@@ -23,6 +23,18 @@ def view_of(workspace: OpenWorkspace, file: Path, text: str) -> View:
     """A file that holds ``text``."""
     workspace.hold({str(file): text.encode()})
     return View(snapshot_of(workspace), str(file), text)
+
+
+def ask_what_is_shown(view: View, offset: int) -> None:
+    """Ask what editors ask at every keystroke, without being told to."""
+    end = len(view.text)
+    spans = [each.span for each in completion.completion(view, offset)]
+    spans += [Span(each.offset, each.offset) for each in hints.hints(view, 0, end)]
+    spans += [each.span for each in hints.lenses(view)]
+    spans += _of_symbols(outline.symbols(view))
+    spans += [each.target.span for each in navigation.highlights(view, offset)]
+    drawing.shown_at(view, offset)
+    assert all(0 <= start <= last <= end for start, last in spans), [each for each in spans if not 0 <= each.start <= each.end <= end]
 
 
 def ask_everything(view: View, offset: int) -> None:

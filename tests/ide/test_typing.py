@@ -3,31 +3,60 @@
 from __future__ import annotations
 
 import random
+import re
 from pathlib import Path
 
 import pytest
 
 from launchlint.finding import Finding
+from launchlint.ide.view import View
 from launchlint.project.workspace import OpenWorkspace
-from tests.ide.questions import ask_everything, view_of
+from tests.ide.questions import ask_everything, ask_what_is_shown, snapshot_of, view_of
 from tests.server.workspace import FILES, MAIN, PART, make
 
-WRITTEN = """<?xml version="1.0"?>
-<!-- Starts a turtle, and what steers it. -->
-<launch>
-  <arg name="name" default="turtle"/>
-  <arg name="sim" default="true" doc="whether there is no robot"/>
-  <group ns="$(arg name)" if="$(arg sim)">
+LINES = 60
+"""Of each file that is written from nothing."""
+ROBOT = """
+  <group ns="$(arg name){number}" if="$(arg sim)">
     <node name="sim" pkg="turtlesim" type="turtlesim_node" output="screen">
-      <param name="background_r" value="10"/>
+      <param name="background_r" value="{number}"/>
       <remap from="turtle1/cmd_vel" to="cmd_vel"/>
     </node>
   </group>
+"""
+ROS1 = f"""<?xml version="1.0"?>
+<!-- Starts turtles, and what steers them. -->
+<launch>
+  <arg name="name" default="turtle"/>
+  <arg name="sim" default="true" doc="whether there is no robot"/>
+{"".join(ROBOT.format(number=number) for number in range(7))}
   <include file="$(find demo)/launch/part.launch">
     <arg name="rate" value="$(eval 5 * 2)"/>
   </include>
+  <!-- What is written down -->
+  <rosparam command="load" file="$(find demo)/config/turtle.yaml"/>
+  <param name="rate" value="10"/>
 </launch>
 """
+TURTLE = """- node:
+    pkg: turtlesim
+    exec: turtlesim_node
+    name: turtle{number}
+    namespace: $(var name)
+    param:
+    - name: background_r
+      value: {number}
+    remap:
+    - from: turtle1/cmd_vel
+      to: cmd_vel{number}
+"""
+ROS2 = f"""# Starts turtles.
+launch:
+- arg:
+    name: name
+    default: turtle
+    description: what they are called
+{"".join(TURTLE.format(number=number) for number in range(5))}"""
 
 
 @pytest.fixture
@@ -37,12 +66,32 @@ def workspace(tmp_path: Path) -> OpenWorkspace:
     return opened
 
 
-def test_a_file_is_written_from_nothing(workspace: OpenWorkspace) -> None:
-    file = Path(workspace.root) / "demo" / "launch" / "new.launch"
-    for end in range(len(WRITTEN) + 1):
-        view = view_of(workspace, file, WRITTEN[:end])
-        ask_everything(view, end)
-    assert [each for each in workspace.outcome().findings if each.location.path.endswith("new.launch") and each.rule == "LL101"] == []
+@pytest.mark.parametrize(("name", "text"), [("demo/launch/new.launch", ROS1), ("demo2/launch/new.launch.yaml", ROS2)], ids=["ros1", "ros2"])
+def test_a_file_is_written_from_nothing(workspace: OpenWorkspace, name: str, text: str) -> None:
+    assert len(text.splitlines()) >= LINES
+    file = Path(workspace.root) / name
+    known = elsewhere(workspace, name)
+    for end in range(len(text) + 1):
+        typed = text[:end]
+        workspace.hold({str(file): typed.encode()})
+        for request in workspace.waiting([str(file)]):
+            workspace.work(request)
+        view = View(snapshot_of(workspace), str(file), typed)
+        if end % 7 == 0 or typed.endswith(("(", '"', "<", " ", ":")):  # where people stop to ask
+            ask_everything(view, end)
+        else:
+            ask_what_is_shown(view, end)
+        findings = workspace.outcome([str(file)]).findings
+        assert [each for each in findings if each.rule == "LL000"] == []
+        assert all(0 <= each.location.start <= each.location.end <= end for each in findings), typed[-80:]
+        if end % 97 == 0:
+            assert elsewhere(workspace, name) == known, typed[-80:]
+    assert [each.rule for each in workspace.outcome([str(file)]).findings if each.rule == "LL101"] == []
+
+
+def elsewhere(workspace: OpenWorkspace, name: str) -> list[Finding]:
+    """What is found in all files but one."""
+    return [each for each in workspace.outcome().findings if each.location.path != name]
 
 
 @pytest.mark.parametrize("name", [name for name in FILES if "/launch/" in name])
@@ -79,6 +128,7 @@ def test_nothing_flickers_elsewhere_while_a_line_is_typed(workspace: OpenWorkspa
 
 @pytest.mark.corpus
 def test_files_of_robots_are_edited(corpus: Path, tmp_path: Path) -> None:
+    """A line in the middle of each is taken away key by key, and typed again: what is told of other lines stays."""
     chance = random.Random(3)
     files = sorted(path for path in corpus.glob("ros1/*/*/launch/*.launch") if 1_000 < path.stat().st_size < 3_000)
     (tmp_path / "ws" / "demo" / "launch").mkdir(parents=True)
@@ -87,11 +137,28 @@ def test_files_of_robots_are_edited(corpus: Path, tmp_path: Path) -> None:
     file = tmp_path / "ws" / "demo" / "launch" / "robot.launch"
     for path in chance.sample(files, 3):
         text = path.read_text(encoding="utf-8", errors="replace")
-        start = chance.randrange(len(text))
-        for length in range(40):  # taken away key by key, and typed again
-            ask_everything(view_of(workspace, file, text[:start] + text[start + length :]), start)
-        for length in range(40):
-            ask_everything(view_of(workspace, file, text[: start + length] + text[start + 40 :]), start + length)
+        start, end = chance.choice(whole_elements(text))
+        number = text.count("\n", 0, start)
+        stays: set[tuple[str, str]] | None = None
+        for whole in (text, text[:start] + text[end:]):
+            ask_everything(view_of(workspace, file, whole), start)
+            told_of = on_other_lines(workspace, number)
+            stays = told_of if stays is None else stays & told_of
+        assert stays is not None
+        for typed in [*range(end - start, -1, -1), *range(end - start + 1)]:
+            ask_everything(view_of(workspace, file, text[: start + typed] + text[end:]), start + typed)
+            assert on_other_lines(workspace, number) >= stays, text[start : start + typed]
+
+
+def whole_elements(text: str) -> list[tuple[int, int]]:
+    """Where the elements stand that are a line of their own and that no other line hangs on: remaps, params."""
+    return [match.span(1) for match in re.finditer(r"^[ \t]*(<(?:remap|param) [^<>\n]*/>)[ \t]*$", text, re.MULTILINE)]
+
+
+def on_other_lines(workspace: OpenWorkspace, number: int) -> set[tuple[str, str]]:
+    """What is told of the robot's other lines than the one (from 0) that is typed."""
+    findings = workspace.outcome().findings
+    return {(each.rule, each.location.text) for each in findings if each.location.line != number + 1}
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from launchlint.evaluate.ros1.launch import DEEPEST_STACK
-from launchlint.finding import Finding
+from launchlint.finding import Edit, Finding
 from launchlint.project.workspace import OpenWorkspace
 from tests.server.workspace import MAIN, PACKAGE, PART
 
@@ -86,6 +86,99 @@ def test_what_is_saved_reaches_exactly_the_entries_that_read_it(tmp_path: Path) 
     workspace.reread([str(file)])
     assert [Path(each.at).name for each in workspace.waiting()] == ["main.launch"]
     assert told(workspace) == told(OpenWorkspace(str(tmp_path)))
+
+
+OTHER = '<launch>\n  <arg name="unused"/>\n</launch>\n'
+
+
+def with_another_package(directory: Path) -> tuple[OpenWorkspace, Path]:
+    """Packages own and other: own starts its own program, and other the same one."""
+    for name in ("own", "other"):
+        (directory / name / "launch").mkdir(parents=True)
+        manifest = directory / name / "package.xml"
+        manifest.write_text(PACKAGE.replace("demo", name).replace("turtlesim", "own" if name == "other" else "rospy"), encoding="utf-8")
+        starting = '<launch>\n  <node name="turtle" pkg="own" type="run.py"/>\n</launch>\n'
+        (directory / name / "launch" / f"{name}.launch").write_text(starting, encoding="utf-8")
+    (directory / ".git").mkdir()
+    (directory / "other" / "launch" / "plain.launch").write_text(OTHER, encoding="utf-8")
+    (directory / "own" / "run.py").write_text("#!/usr/bin/env python3\n", encoding="utf-8")
+    (directory / "own" / "run.py").chmod(0o755)
+    workspace = OpenWorkspace(str(directory))
+    workspace.settle()
+    return workspace, manifest
+
+
+def test_a_package_xml_reaches_exactly_the_entries_that_read_it(tmp_path: Path) -> None:
+    workspace, manifest = with_another_package(tmp_path)
+    manifest.write_text(manifest.read_text().replace("<exec_depend>own</exec_depend>", ""), encoding="utf-8")
+    workspace.reread([str(manifest)])
+    waiting = {Path(each.at).name for each in workspace.waiting()}
+    assert "other.launch" in waiting
+    assert "own.launch" not in waiting
+    assert told(workspace) == told(OpenWorkspace(str(tmp_path)))
+    assert [each.rule for each in told(workspace) if each.location.path == "other/launch/other.launch"] == ["LL701"]
+
+
+def test_an_unsaved_package_xml_counts(tmp_path: Path) -> None:
+    workspace, manifest = with_another_package(tmp_path)
+    before = told(workspace)
+    workspace.hold({str(manifest): manifest.read_bytes().replace(b"<exec_depend>own</exec_depend>", b"")})
+    assert "own.launch" not in {Path(each.at).name for each in workspace.waiting()}
+    assert {each.rule for each in set(told(workspace)) - set(before)} == {"LL701"}
+    workspace.hold({str(manifest): None})
+    assert told(workspace) == before
+
+
+def test_another_name_of_a_package_reaches_everybody(tmp_path: Path) -> None:
+    workspace, manifest = with_another_package(tmp_path)
+    manifest.write_text(manifest.read_text().replace("<name>other", "<name>third"), encoding="utf-8")
+    workspace.reread([str(manifest)])
+    assert set(workspace.waiting()) == set(workspace.requests)
+    assert told(workspace) == told(OpenWorkspace(str(tmp_path)))
+
+
+def test_what_is_told_of_some_files_is_what_is_told_of_them_among_all(tmp_path: Path) -> None:
+    workspace, _ = with_another_package(tmp_path)
+    everything = workspace.outcome().findings
+    for request in workspace.requests:
+        shown = workspace.checker.session.shown(request.at)
+        assert workspace.outcome([request.at]).findings == tuple(each for each in everything if each.location.path == shown)
+
+
+def test_args_that_another_file_begins_to_pass_count_at_once(tmp_path: Path) -> None:
+    workspace, _ = with_another_package(tmp_path)
+    plain = [each for each in told(workspace) if each.location.path.endswith("plain.launch")]
+    assert [each.rule for each in plain] == ["LL206"]
+    text = '<launch>\n  <include file="$(find other)/launch/plain.launch">\n    <arg name="unused" value="1"/>\n  </include>\n</launch>\n'
+    file = tmp_path / "other" / "launch" / "other.launch"
+    workspace.hold({str(file): text.encode()})
+    after = told(workspace)
+    assert after == fresh(workspace, tmp_path)
+    assert [each for each in after if each.location.path.endswith("plain.launch")] != plain
+
+
+def test_a_fix_is_proved_as_on_the_command_line(tmp_path: Path) -> None:
+    workspace = make(tmp_path)
+    workspace.settle()
+    (finding,) = [each for each in told(workspace) if each.rule == "LL206" and each.fix is not None]
+    assert finding.fix is not None
+    assert workspace.refusal(finding) == ""
+    start = MAIN.index('name="turtle"') + 6
+    other = finding._replace(fix=finding.fix._replace(changes="", edits=(Edit(finding.location.path, start, start, "sea_"),)))
+    assert workspace.refusal(other)
+    useless = finding._replace(fix=finding.fix._replace(edits=(Edit(finding.location.path, start, start, "sea_"),)))
+    assert workspace.refusal(useless) == "LL206 unused-arg would still be found"
+
+
+def test_all_safe_fixes_of_a_file_are_made_together(tmp_path: Path) -> None:
+    workspace = make(tmp_path)
+    part = tmp_path / "launch" / "part.launch"
+    line = '    <remap from="turtle1/pose" to="turtle1/pose"/>\n'
+    text = PART.replace("  </node>", f"{line}  </node>")
+    workspace.hold({str(part): text.encode()})
+    workspace.settle()
+    assert workspace.repaired(str(part)) == PART.encode()
+    assert workspace.repaired(str(tmp_path / "launch" / "main.launch")) is None
 
 
 def test_blocks_that_did_not_touch_what_changed_are_kept(tmp_path: Path) -> None:

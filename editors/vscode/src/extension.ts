@@ -10,14 +10,13 @@ const INSTALL = "Install";
 const SETTINGS = "Settings";
 
 let client: LanguageClient | undefined;
-let command: string | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   const output = vscode.window.createOutputChannel("launchlint", { log: true });
-  const topology = new Topology(() => command);
+  const topology = new Topology(() => (client?.isRunning() === true ? client : undefined));
   const restart = async (): Promise<void> => {
     await stop();
-    await start(output);
+    await start(output, topology);
   };
   context.subscriptions.push(
     output,
@@ -35,7 +34,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
       await vscode.window.showTextDocument(file);
       await vscode.commands.executeCommand("references-view.showCallHierarchy", file, new vscode.Position(0, 0));
     }),
-    vscode.workspace.onDidSaveTextDocument(() => { topology.saved(); }),
+    vscode.window.onDidChangeTextEditorSelection(({ textEditor }) => { topology.moved(textEditor); }),
     vscode.window.onDidChangeActiveTextEditor(note),
     vscode.workspace.onDidGrantWorkspaceTrust(() => void restart()),
     vscode.workspace.onDidChangeConfiguration(async (change) => {
@@ -43,7 +42,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     }),
   );
   note(vscode.window.activeTextEditor);
-  await start(output);
+  await start(output, topology);
 }
 
 export async function deactivate(): Promise<void> {
@@ -55,7 +54,7 @@ function note(editor: vscode.TextEditor | undefined): void {
   void vscode.commands.executeCommand("setContext", "launchlint.isLaunchFile", isLaunchFile);
 }
 
-async function start(output: vscode.LogOutputChannel): Promise<void> {
+async function start(output: vscode.LogOutputChannel, topology: Topology): Promise<void> {
   const folder = vscode.workspace.workspaceFolders?.[0];
   if (!vscode.workspace.getConfiguration("launchlint", folder).get("enable", true)) return;
   const program = await find(folder);
@@ -63,11 +62,11 @@ async function start(output: vscode.LogOutputChannel): Promise<void> {
     await missing(folder);
     return;
   }
-  command = program.command;
   output.info(`${program.command}: ${program.version}`);
   const server: ServerOptions = { command: program.command, args: ["server"] };
   const options: LanguageClientOptions = { documentSelector: SELECTOR, outputChannel: output, diagnosticCollectionName: "launchlint" };
   client = new LanguageClient("launchlint", "launchlint", server, options);
+  client.onNotification("launchlint/topologyChanged", ({ uri }: { uri: string }) => { topology.changed(uri); });
   try {
     await client.start();
   } catch (error) {
@@ -79,7 +78,6 @@ async function start(output: vscode.LogOutputChannel): Promise<void> {
 async function stop(): Promise<void> {
   const running = client;
   client = undefined;
-  command = undefined;
   if (running?.isRunning() === true) await running.stop();
 }
 

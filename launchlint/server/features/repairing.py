@@ -13,6 +13,7 @@ from launchlint.server.service import Service
 from launchlint.source import Span
 
 FIX_ALL = "source.fixAll.launchlint"
+ALL = "Fix all that launchlint can for certain"
 
 
 def register(server: Service) -> None:
@@ -20,7 +21,7 @@ def register(server: Service) -> None:
 
     @server.feature(
         types.TEXT_DOCUMENT_CODE_ACTION,
-        types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix, FIX_ALL]),
+        types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix, FIX_ALL], resolve_provider=True),
     )
     async def actions(params: types.CodeActionParams) -> list[types.CodeAction]:
         found = await server.view(params.text_document.uri)
@@ -30,16 +31,28 @@ def register(server: Service) -> None:
         findings = server.findings(document)
         span = document.lines.span(params.range)
         wanted = params.context.only
-        made = [
-            _action(server, view, document, each, types.CodeActionKind.QuickFix)
-            for each in repair.actions(view, findings, span.start, span.end)
-            if wanted is None or any(str(types.CodeActionKind.QuickFix.value).startswith(_word(kind)) for kind in wanted)
-        ]
-        if wanted is None or any(FIX_ALL.startswith(_word(kind)) for kind in wanted):
-            everything = repair.all_safe(view, findings)
-            if everything is not None:
-                made.append(_action(server, view, document, everything, FIX_ALL))
-        return made
+        made = []
+        if wanted is None or any(str(types.CodeActionKind.QuickFix.value).startswith(_word(kind)) for kind in wanted):
+            offered = repair.actions(view, findings, span.start, span.end)
+            proved = [each for each in offered if not each.fixes or await server.is_proved(document, each.findings[0])]
+            made += [_action(server, view, document, each) for each in proved]
+        if (wanted is None or any(FIX_ALL.startswith(_word(kind)) for kind in wanted)) and repair.has_safe(view, findings):
+            everything = types.CodeAction(ALL, kind=FIX_ALL, data={"uri": document.address, "version": document.version})
+            # Whoever asks for it alone is about to do it; a menu need not wait for what may never be chosen.
+            made.append(await resolve(everything) if wanted is not None or not _resolves(server) else everything)
+        return [each for each in made if each.edit is not None or each.data is not None]
+
+    @server.feature(types.CODE_ACTION_RESOLVE)
+    async def resolve(action: types.CodeAction) -> types.CodeAction:
+        given = action.data if isinstance(action.data, dict) else {}
+        document = server.document(str(given.get("uri", "")))
+        if document is not None and document.version == given.get("version"):
+            edits = await server.repaired(document)
+            action.data = None
+            if edits:
+                changes = [types.TextEdit(document.lines.range(each.span), each.text) for each in edits]
+                action.edit = types.WorkspaceEdit(changes={document.address: changes})
+        return action
 
     @server.feature(types.TEXT_DOCUMENT_FORMATTING)
     async def formatting(params: types.DocumentFormattingParams) -> list[types.TextEdit]:
@@ -48,6 +61,13 @@ def register(server: Service) -> None:
     @server.feature(types.TEXT_DOCUMENT_RANGE_FORMATTING)
     async def range_formatting(params: types.DocumentRangeFormattingParams) -> list[types.TextEdit]:
         return await _formatted(server, params.text_document.uri, params.range)
+
+
+def _resolves(server: Service) -> bool:
+    """Whether the client asks for the edit of an action when it is chosen."""
+    able = server.client_capabilities.text_document
+    actions = None if able is None else able.code_action
+    return actions is not None and actions.resolve_support is not None and "edit" in actions.resolve_support.properties
 
 
 def _word(kind: types.CodeActionKind | str) -> str:
@@ -66,11 +86,11 @@ async def _formatted(server: Service, address: str, within: types.Range | None) 
     return [types.TextEdit(document.lines.range(each.span), each.text) for each in edits]
 
 
-def _action(server: Service, view: View, document: Document, action: repair.Action, kind: types.CodeActionKind | str) -> types.CodeAction:
+def _action(server: Service, view: View, document: Document, action: repair.Action) -> types.CodeAction:
     return types.CodeAction(
         title=action.title,
-        kind=kind,
-        diagnostics=_diagnostics(server, view, action.findings) if kind != FIX_ALL else None,
+        kind=types.CodeActionKind.QuickFix,
+        diagnostics=_diagnostics(server, view, action.findings),
         is_preferred=(action.safe and action.fixes) or None,
         edit=types.WorkspaceEdit(changes=_changes(server, view, action.edits)),
     )

@@ -4474,6 +4474,42 @@ ${end.mark}`;
     return { x: left + width / 2, y: top + height / 2 };
   }
 
+  // launchlint/report/html/js/page/editor.js
+  function editor() {
+    const { acquireVsCodeApi } = (
+      /** @type {{ acquireVsCodeApi?: () => Host }} */
+      globalThis
+    );
+    return acquireVsCodeApi == null ? void 0 : acquireVsCodeApi();
+  }
+  function addressBefore(host2) {
+    const state = host2 == null ? void 0 : host2.getState();
+    return typeof state === "string" ? state : "";
+  }
+  function followEditor({ model, store }, host2) {
+    if (host2 === void 0) return;
+    let following = false;
+    window.addEventListener("message", ({ data }) => {
+      const [kind, name] = Array.isArray(data == null ? void 0 : data.launchlint) ? data.launchlint : [];
+      if (typeof kind !== "string" || typeof name !== "string") return;
+      const now = store.get();
+      const file = model.data.files[model.entry(now.entry).entry.file] ?? "";
+      const address = `entry=${encodeURIComponent(file)}&group=${now.grouping}&${encodeURIComponent(kind)}=${encodeURIComponent(name)}`;
+      const { selection } = stateOf(model, address);
+      if (selection === null) return;
+      following = true;
+      store.set({ selection }, "replace");
+      following = false;
+    });
+    store.listen((state, before) => {
+      const address = addressOf(model, state);
+      host2.setState(address);
+      if (following || state.selection === null || state.selection === before.selection) return;
+      const [kind, name] = (address.split("&")[0] ?? "").split("=");
+      if (kind && name) host2.postMessage({ launchlint: [kind, decodeURIComponent(name)] });
+    });
+  }
+
   // launchlint/report/html/js/page/help.js
   var KEYS2 = [
     ["/", "search"],
@@ -6508,7 +6544,8 @@ ${end.mark}`;
     const data = read2(part("launchlint-data").textContent ?? "");
     if (data.entries.length === 0) return;
     const model = createModel(data);
-    const store = createStore(stateOf(model, location.hash), { write: (state) => addressOf(model, state), read: (hash) => stateOf(model, hash) });
+    const host2 = editor();
+    const store = createStore(stateOf(model, location.hash || addressBefore(host2)), { write: (state) => addressOf(model, state), read: (hash) => stateOf(model, hash) });
     document.documentElement.classList.add("interactive");
     let fromDrawing = false;
     const selectFromDrawing = (selection) => {
@@ -6516,9 +6553,9 @@ ${end.mark}`;
       store.set({ selection });
       fromDrawing = false;
     };
-    const host2 = part("drawing");
-    host2.replaceChildren();
-    const drawing = createDrawing(data, host2, {
+    const canvas = part("drawing");
+    canvas.replaceChildren();
+    const drawing = createDrawing(data, canvas, {
       select: selectFromDrawing,
       expand(container, open) {
         const expanded = drawing.expanded();
@@ -6527,7 +6564,7 @@ ${end.mark}`;
         store.set({ expanded });
       },
       moved: (place2) => store.set({ place: place2 }, "replace"),
-      busy: (on) => host2.classList.toggle("busy", on)
+      busy: (on) => canvas.classList.toggle("busy", on)
     });
     const page = { model, store, drawing };
     const landing = createLanding(page);
@@ -6550,6 +6587,7 @@ ${end.mark}`;
     });
     const help = createHelp(shortcuts);
     preparePrint();
+    followEditor(page, host2);
     createStage(page, { cameFromDrawing: () => fromDrawing, holdFocus: drawingKeys.hold });
   }
   start();

@@ -4,6 +4,7 @@ import { createDrawing } from "./drawing/index.js";
 import { addressOf, stateOf } from "./page/address.js";
 import { createControls } from "./page/controls.js";
 import { createDrawingKeys } from "./page/drawing_keys.js";
+import { addressBefore, editor, followEditor } from "./page/editor.js";
 import { part } from "./page/elements.js";
 import { createHelp } from "./page/help.js";
 import { createKeyboard } from "./page/keyboard.js";
@@ -27,7 +28,8 @@ function start() {
   const data = read(part("launchlint-data").textContent ?? "");
   if (data.entries.length === 0) return; // what the server wrote says why
   const model = createModel(data);
-  const store = createStore(stateOf(model, location.hash), { write: (state) => addressOf(model, state), read: (hash) => stateOf(model, hash) });
+  const host = editor();
+  const store = createStore(stateOf(model, location.hash || addressBefore(host)), { write: (state) => addressOf(model, state), read: (hash) => stateOf(model, hash) });
   document.documentElement.classList.add("interactive");
 
   let fromDrawing = false;
@@ -37,9 +39,9 @@ function start() {
     store.set({ selection });
     fromDrawing = false;
   };
-  const host = part("drawing");
-  host.replaceChildren();
-  const drawing = createDrawing(data, host, {
+  const canvas = part("drawing");
+  canvas.replaceChildren();
+  const drawing = createDrawing(data, canvas, {
     select: selectFromDrawing,
     expand(container, open) {
       const expanded = drawing.expanded();
@@ -48,7 +50,7 @@ function start() {
       store.set({ expanded });
     },
     moved: (place) => store.set({ place }, "replace"),
-    busy: (on) => host.classList.toggle("busy", on),
+    busy: (on) => canvas.classList.toggle("busy", on),
   });
   const page = { model, store, drawing };
 
@@ -72,6 +74,7 @@ function start() {
   });
   const help = createHelp(shortcuts);
   preparePrint();
+  followEditor(page, host);
   createStage(page, { cameFromDrawing: () => fromDrawing, holdFocus: drawingKeys.hold });
 }
 
