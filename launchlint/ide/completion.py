@@ -10,6 +10,7 @@ from launchlint.ide.args import declared
 from launchlint.ide.context import Context, context_at
 from launchlint.ide.files import package_of, resolved
 from launchlint.ide.hover import instance_of
+from launchlint.ide.ros2.context import XML_NAMES, keywords, python_context, yaml_context
 from launchlint.ide.tables import Tables
 from launchlint.ide.view import View
 from launchlint.model import ROS1
@@ -39,19 +40,21 @@ class Choice(NamedTuple):
     span: Span
     text: str
     detail: str = ""
-    documentation: str = ""
     snippet: bool = False
     rank: int = 5
 
 
 def completion(view: View, offset: int) -> list[Choice]:
     """What may be written at ``offset``, in order."""
-    if view.file.endswith(".py"):
-        context = context_at(view.text, offset, xml=False)
-        return list(_substitution(view, context)) if context.command is not None else []
-    context = context_at(view.text, offset, xml=not view.file.endswith((".yaml", ".yml")))
-    found = dict.fromkeys(_choices(view, context))
+    found = dict.fromkeys(_choices(view, context_in(view, offset)))
     return sorted(found, key=lambda each: (each.rank, each.label))
+
+
+def context_in(view: View, offset: int) -> Context:
+    """What is being written at ``offset``, whatever the file is written in."""
+    if view.file.endswith((".yaml", ".yml")):
+        return yaml_context(view.text, offset)
+    return python_context(view.text, offset, view.session.distro) if view.file.endswith(".py") else context_at(view.text, offset)
 
 
 def _choices(view: View, context: Context) -> Iterator[Choice]:
@@ -100,6 +103,11 @@ def _commands(view: View) -> Iterable[str]:
 
 
 def _tags(view: View, context: Context) -> Iterator[Choice]:
+    if view.file.endswith((".yaml", ".yml")):
+        for name, attributes, _ in _table(view).tags(context.parent):
+            lines = "".join(f"\n    {each}: ${number}" for number, each in enumerate(attributes, 1))
+            yield Choice(name, "tag", context.span, f"{name}:{lines}" if lines else f"{name}:\n    ", detail=f"{name}:", snippet=True)
+        return
     for name, attributes, holds in _table(view).tags(context.parent):
         places = " ".join(f'{each}="${number}"' for number, each in enumerate(attributes, 1))
         last = len(attributes) + 1
@@ -111,6 +119,22 @@ def _tags(view: View, context: Context) -> Iterator[Choice]:
 
 
 def _attributes(view: View, context: Context) -> Iterator[Choice]:
+    if view.file.endswith(".py"):
+        for name, needed in keywords(context.tag, view.session.distro).items():
+            if name not in context.attributes and XML_NAMES.get(name, name) not in context.attributes:
+                first = needed or name in XML_NAMES
+                yield Choice(name, "attribute", context.span, f"{name}=", detail="required" if needed else "", rank=1 if first else 5)
+        return
+    if view.file.endswith((".yaml", ".yml")):
+        table = _table(view)
+        for name, required, expected in table.attributes(context.tag, context.parent):
+            if name not in context.attributes:
+                said = ("required, " if required else "") + expected
+                yield Choice(name, "attribute", context.span, f"{name}: ", detail=said, rank=1 if required else 5)
+        for name, attributes, _ in table.tags(context.tag):
+            leading = attributes[0] if attributes else "name"
+            yield Choice(name, "tag", context.span, f"{name}:\n    - {leading}: $1", detail=f"{name}: several", snippet=True, rank=6)
+        return
     for name, required, expected in _table(view).attributes(context.tag, context.parent):
         if name not in context.attributes:
             yield Choice(
@@ -153,6 +177,9 @@ def _values(view: View, context: Context) -> Iterator[Choice]:
         yield from _names(view, context)
     elif tag == "param" and attribute == "name":
         yield from _params(view, context)
+    elif (tag == "var" and attribute == "variable_name") or (tag == "let" and attribute == "name"):
+        for name, required, said in declared(view, view.file):
+            yield Choice(name, "arg", span, name, detail="required" if required else said, rank=1)
     elif attribute in ("if", "unless"):
         command = "arg" if view.dialect.name == ROS1 else "var"
         for name, _, said in declared(view, view.file):

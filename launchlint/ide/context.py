@@ -41,13 +41,10 @@ class Context(NamedTuple):
     command: str | None = None
 
 
-def context_at(text: str, offset: int, *, xml: bool) -> Context:
-    """What is being written at ``offset``; of text that is not XML only whether it is in a ``$(…)``."""
+def context_at(text: str, offset: int) -> Context:
+    """What is being written at ``offset`` of XML."""
     before = text[:offset]
     line = before.rpartition("\n")[2]
-    inside = _SUBSTITUTION.search(line)
-    if not xml:
-        return _with_command(Context("", Span(offset, offset)), inside, offset)
     opened = before.rfind("<")
     stack = _around(before[:opened] if opened >= 0 else "")
     parent, outer, siblings = stack[-1] if stack else ("", _NOTHING, ())
@@ -70,7 +67,7 @@ def context_at(text: str, offset: int, *, xml: bool) -> Context:
         made = Context(
             "value", Span(offset - len(value), offset), tag, quotes[1], {**following, **attributes}, parent, outer, siblings
         )  # fmt: skip
-        return _with_command(made, inside, offset)
+        return with_command(made, line, offset)
     word = re.search(rf"(?:{_NAME})?$", rest)
     assert word is not None
     following = {match[1]: match[2] or match[3] or "" for match in _PAIR.finditer(after.partition(">")[0])}
@@ -82,7 +79,9 @@ def _balanced(rest: str) -> bool:
     return re.fullmatch(r"(?:[^\"']|\"[^\"]*\"|'[^']*')*", rest) is not None
 
 
-def _with_command(context: Context, inside: re.Match[str] | None, offset: int) -> Context:
+def with_command(context: Context, line: str, offset: int) -> Context:
+    """``context`` with the ``$(…)`` that the text of the line in front of ``offset`` ends in, if any."""
+    inside = _SUBSTITUTION.search(line)
     if inside is None:
         return context
     if inside[2] is None:

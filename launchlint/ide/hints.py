@@ -38,13 +38,14 @@ def hints(view: View, start: int, end: int) -> list[Hint]:
             continue
         if mention.kind == "arg" and mention.role == "reads":
             values = list(arg_values(view, mention.name))
-            if values and not values[0].startswith("not known") and "$(" in view.text[span.start : span.end]:
+            if values and not values[0].startswith("not known") and ("$(" in view.text[span.start : span.end] or view.file.endswith(".py")):
                 more = " …" if len(values) > 1 else ""
-                found.append(Hint(view.seen(mention.span).end, f" = {_short(values[0])}{more}"))
-        elif mention.kind == "topic" and view.text[: span.start].rstrip().endswith(('to="', "to='")):
+                behind = span.end if view.file.endswith(".py") else view.seen(mention.span).end
+                found.append(Hint(behind, f" = {_short(values[0])}{more}"))
+        elif mention.kind == "topic" and mention.role == "declares":
             said = _of_remap(view, mention.item)
             if said:
-                found.append(Hint(span.end + 1, f" {said}"))
+                found.append(Hint(span.end + (view.text[span.end : span.end + 1] in ("'", '"')), f" {said}"))
     return list(dict.fromkeys(found))
 
 

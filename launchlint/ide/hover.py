@@ -79,7 +79,7 @@ def _of_item(view: View, item: int) -> Iterator[str]:
     yield from _remap(view, item)
     for include in view.includes_of(item)[:1]:
         if include.source is not None:
-            yield from _takes(view, include.file)
+            yield from taken(view, include.file)
     for setting in view.settings_of(item)[:MOST]:
         yield f"`{setting.name}` = `{_value(setting.value)}`\n"
 
@@ -99,6 +99,12 @@ def _arg(view: View, mention: Mention) -> Iterator[str]:
     document = next((said for name, _, said in declared(view, view.file) if name == mention.name and said), "")
     if document:
         yield f"\n{document}"
+    description = view.document.description
+    if description is not None:
+        from launchlint.ide.ros2.mentions import lets
+
+        for written in dict.fromkeys(value for name, value in lets(description) if name == mention.name):
+            yield f"\n- set to `{written}`"
     values = arg_values(view, mention.name)
     for value, ways in list(values.items())[:MOST]:
         told = ", ".join(f"`{way}`" if way else "by default" for way in ways[:3])
@@ -120,13 +126,14 @@ def _file(view: View, mention: Mention) -> Iterator[str]:
     path = file_named(view, mention)
     yield f"`{path}`" if path is not None else f"**file** `{mention.name}`"
     if path is not None and view.includes_of(mention.item):
-        yield from _takes(view, path)
+        yield from taken(view, path)
 
 
-def _takes(view: View, file: str) -> Iterator[str]:
-    taken = list(declared(view, file))
-    yield f"\n`{view.session.shown(file)}` takes " + ("these args:" if taken else "no args")
-    for name, required, said in sorted(taken, key=lambda each: not each[1])[: 2 * MOST]:
+def taken(view: View, file: str) -> Iterator[str]:
+    """The args that a launch file (absolute) takes, the required ones first."""
+    args = list(declared(view, file))
+    yield f"\n`{view.session.shown(file)}` takes " + ("these args:" if args else "no args")
+    for name, required, said in sorted(args, key=lambda each: not each[1])[: 2 * MOST]:
         yield f"- `{name}`: {'**required**' if required else said}"
 
 
@@ -200,6 +207,9 @@ def _remap(view: View, item: int) -> Iterator[str]:
 
 
 def _param(view: View, mention: Mention) -> Iterator[str]:
+    if view.document.description is not None:
+        yield from _param_of_node(view, mention)
+        return
     for setting in view.settings_of(mention.item)[:1]:
         yield f"**param** `{setting.name}` = `{_value(setting.value)}`"
         for configuration in view.configurations:
@@ -211,6 +221,19 @@ def _param(view: View, mention: Mention) -> Iterator[str]:
                 yield f"\n- read by `{reading.node}`{f' as {declaration.type}' if declaration.type else ''}{default}"
             if readers:
                 return
+
+
+def _param_of_node(view: View, mention: Mention) -> Iterator[str]:
+    """What the node of ROS 2 around a param makes of it."""
+    yield f"**param** `{mention.name}`"
+    start = max((node.origin.place.span.start for node in view.nodes if node.origin.place.span.start < mention.item), default=-1)
+    for node in _distinct(view.nodes_of(start)):
+        found = instance_of(view, node)
+        for reading in () if found is None else found[1].readings:
+            declaration = reading.declaration
+            if declaration.name.lstrip("~/") == mention.name:
+                default = "" if declaration.default is None else f", default `{declaration.default}`"
+                yield f"\n- read by `{reading.node}`{f' as {declaration.type}' if declaration.type else ''}{default}"
 
 
 def _value(value: object) -> str:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 _KINDS: dict[str, What] = {
     "node": "node", "test": "node", "arg": "arg", "include": "include", "group": "group", "param": "param", "rosparam": "param",
     "remap": "remap", "machine": "machine", "let": "arg", "node_container": "node", "composable_node": "node", "executable": "node",
+    "topic": "remap", "file": "include",
 }  # fmt: skip
 
 
@@ -52,7 +53,7 @@ def symbols(view: View) -> list[Symbol]:
         return [
             Symbol(each.name or each.kind, _KINDS.get(each.kind, "other"), "", view.seen(each.whole), view.seen(each.span))
             for each in view.mentions
-            if each.role == "declares"
+            if each.role == "declares" or (each.kind == "file" and view.includes_of(each.item))
         ]
     return [_symbol(view, child) for child in root.children]
 
@@ -117,7 +118,28 @@ def folding(view: View) -> list[tuple[Span, bool]]:
     found = [(view.seen(element.span), False) for element in view.document.elements]
     found += [(view.seen(comment.span), True) for comment in view.document.comments]
     text = view.text
+    if view.document.root is None:
+        found += [(span, False) for span in _blocks(text)]
     return [(span, comment) for span, comment in found if "\n" in text[span.start : span.end]]
+
+
+def _blocks(text: str) -> list[Span]:
+    """The lines of a text without tags that others below them are indented under, each with these."""
+    found: list[Span] = []
+    open_: list[tuple[int, int, int]] = []  # indentation, where the line begins, where the block ends so far
+    start = 0
+    for line in text.splitlines(keepends=True):
+        bare = line.strip()
+        if bare:
+            indentation = len(line) - len(line.lstrip())
+            while open_ and open_[-1][0] >= indentation:
+                found.append(Span(*open_.pop()[1:]))
+            end = start + len(line.rstrip("\r\n"))
+            open_ = [(each[0], each[1], end) for each in open_]
+            open_.append((indentation, start, end))
+        start += len(line)
+    found += [Span(*each[1:]) for each in open_]
+    return sorted(span for span in found if "\n" in text[span.start : span.end])
 
 
 def selections(view: View, offset: int) -> list[Span]:
@@ -133,6 +155,9 @@ def selections(view: View, offset: int) -> list[Span]:
     while element is not None:
         found += [view.seen(element.start_span), view.seen(element.span)]
         element = element.parent
+    if view.document.root is None:
+        around = [span for span in _blocks(view.text) if span.start <= offset <= span.end]
+        found += sorted(around, key=lambda span: span.end - span.start)
     found.append(Span(0, len(view.text)))
     nested: list[Span] = []
     for span in found:

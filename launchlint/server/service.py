@@ -21,6 +21,8 @@ from launchlint.workspace.repository import repository_root
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from launchlint.finding import Finding
 
 PATIENCE = 10.0
@@ -145,6 +147,12 @@ class Service(LanguageServer):
             except asyncio.TimeoutError:
                 return None
         return found()
+
+    def markup(self, kinds: Sequence[types.MarkupKind] | None, markdown: str) -> types.MarkupContent:
+        """A text as the client can show it: ``kinds`` are those that it says it can."""
+        if kinds is None or types.MarkupKind.Markdown not in kinds:
+            return types.MarkupContent(types.MarkupKind.PlainText, markdown.replace("**", "").replace("`", ""))
+        return types.MarkupContent(types.MarkupKind.Markdown, markdown)
 
     # -- for requests --------------------------------------------------------------------------------------------
 

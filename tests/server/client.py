@@ -86,7 +86,10 @@ async def connected(root: Path, encodings: list[types.PositionEncodingKind] | No
     item = types.ClientCompletionItemOptions(snippet_support=True)
     capabilities = types.ClientCapabilities(
         general=types.GeneralClientCapabilities(position_encodings=encodings),
-        text_document=types.TextDocumentClientCapabilities(completion=types.CompletionClientCapabilities(completion_item=item)),
+        text_document=types.TextDocumentClientCapabilities(
+            completion=types.CompletionClientCapabilities(completion_item=item),
+            hover=types.HoverClientCapabilities(content_format=[types.MarkupKind.Markdown]),
+        ),
     )
     folder = types.WorkspaceFolder(root.as_uri(), root.name)
     await client.initialize_async(types.InitializeParams(capabilities=capabilities, root_uri=root.as_uri(), workspace_folders=[folder]))

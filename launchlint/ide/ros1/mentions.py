@@ -34,7 +34,7 @@ _PLAIN: dict[tuple[str, str], Kind] = {
     ("machine", "name"): "machine",
     ("env", "name"): "variable",
 }
-_DECLARES = {("node", "name"), ("test", "name"), ("machine", "name")}
+_DECLARES = {("node", "name"), ("test", "name"), ("machine", "name"), ("remap", "to")}
 
 
 def mentions(document: Document) -> tuple[Mention, ...]:

@@ -78,7 +78,9 @@ def _action(action: Any, source: Source, item: int) -> Iterator[Mention]:
             yield from _whole("node", action.name, source, item, declares=True)
     elif isinstance(action, described.Remap):
         yield from _whole("topic", action.source, source, item)
-        yield from _whole("topic", action.target, source, item)
+        yield from _whole("topic", action.target, source, item, declares=True)
+    elif isinstance(action, described.Parameter):
+        yield from _whole("param", action.name, source, item)
 
 
 def _named(kind: Kind, name: str, place: Place, source: Source, item: int, *, passes: bool = False) -> Iterator[Mention]:
@@ -105,7 +107,11 @@ def _named(kind: Kind, name: str, place: Place, source: Source, item: int, *, pa
 def _whole(kind: Kind, text: Text, source: Source, item: int, package: str = "", *, declares: bool = False) -> Iterator[Mention]:
     if text.place.source is source:
         name = text.literal if text.literal is not None else text.written
-        yield Mention(kind, name, text.place.span, "declares" if declares else "reads", item, text.place.span, package)
+        span = text.place.span
+        quoted = [at for quote in "'\"" if (at := text.place.text.find(f"{quote}{name}{quote}")) >= 0]
+        if quoted and text.literal:  # in Python the place may be that of what the text stands in
+            span = span._replace(start=span.start + quoted[0] + 1, end=span.start + quoted[0] + 1 + len(name))
+        yield Mention(kind, name, span, "declares" if declares else "reads", item, span, package)
 
 
 def _text(text: Text, source: Source, item: int, depth: int) -> Iterator[Mention]:
@@ -134,3 +140,14 @@ def declared(description: Description) -> Iterator[tuple[str, bool, str]]:
         if isinstance(action, described.Argument):
             said = "" if action.default is None else f"default: {action.default.written}"
             yield action.name, action.default is None, " — ".join(filter(None, (said, action.description)))
+
+
+def lets(description: Description) -> Iterator[tuple[str, str]]:
+    """What launch files set with ``<let>`` as it is written: name and value, in order."""
+    waiting: list[Any] = list(reversed(description.actions))
+    while waiting:
+        action = waiting.pop()
+        if isinstance(action, described.Let) and action.name.literal:
+            yield action.name.literal, action.value.written
+        if isinstance(action, tuple) and not isinstance(action, (Text, Substitution)) and not _is_place(action):
+            waiting.extend(each for each in reversed(action) if isinstance(each, tuple))

@@ -23,7 +23,9 @@ def register(server: Service) -> None:
         said = saying.hover(view, document.lines.offset(params.position))
         if said is None:
             return None
-        return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, said.markdown), document.lines.range(said.span))
+        able = server.client_capabilities.text_document
+        kinds = None if able is None or able.hover is None else able.hover.content_format
+        return types.Hover(server.markup(kinds, said.markdown), document.lines.range(said.span))
 
     @server.feature(types.TEXT_DOCUMENT_DEFINITION)
     async def definition(params: types.DefinitionParams) -> list[types.Location]:

@@ -6,6 +6,7 @@ from lsprotocol import types
 
 from launchlint.ide.completion import Choice
 from launchlint.ide.completion import completion as choices
+from launchlint.ide.documentation import documentation
 from launchlint.server.documents import Document
 from launchlint.server.service import Service
 
@@ -29,7 +30,7 @@ def register(server: Service) -> None:
 
     @server.feature(
         types.TEXT_DOCUMENT_COMPLETION,
-        types.CompletionOptions(trigger_characters=["<", '"', "'", "(", " ", "/", "$"], resolve_provider=False),
+        types.CompletionOptions(trigger_characters=["<", '"', "'", "(", " ", "/", "$"], resolve_provider=True),
     )
     async def completion(params: types.CompletionParams) -> types.CompletionList:
         found = await server.view_at_once(params.text_document.uri)
@@ -45,6 +46,18 @@ def register(server: Service) -> None:
             items=[_item(each, document, number, snippets=snippets) for number, each in enumerate(offered[:MOST])],
         )
 
+    @server.feature(types.COMPLETION_ITEM_RESOLVE)
+    async def resolve(item: types.CompletionItem) -> types.CompletionItem:
+        """With what is said of it, which is worked out for what somebody looks at alone."""
+        given = item.data if isinstance(item.data, dict) else {}
+        found = await server.view_at_once(str(given.get("uri", "")))
+        if found is not None and item.documentation is None:
+            said = documentation(found[1], str(given.get("what", "")), item.label, item.detail or "")
+            able = server.client_capabilities.text_document
+            items = None if able is None or able.completion is None else able.completion.completion_item
+            item.documentation = server.markup(None if items is None else items.documentation_format, said) if said else None
+        return item
+
 
 def _item(choice: Choice, document: Document, number: int, *, snippets: bool) -> types.CompletionItem:
     as_snippet = choice.snippet and snippets
@@ -53,9 +66,9 @@ def _item(choice: Choice, document: Document, number: int, *, snippets: bool) ->
         choice.label,
         kind=_KINDS[choice.what],
         detail=choice.detail or None,
-        documentation=choice.documentation or None,
         sort_text=f"{choice.rank}{number:05}",
         filter_text=choice.label,
         insert_text_format=types.InsertTextFormat.Snippet if as_snippet else types.InsertTextFormat.PlainText,
         text_edit=types.TextEdit(document.lines.range(choice.span), text),
+        data={"uri": document.address, "what": choice.what},
     )

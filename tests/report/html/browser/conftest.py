@@ -178,11 +178,13 @@ def open_report(browser: Browser, reports: Callable[[str], Path]) -> Iterator[Op
     contexts: list[BrowserContext] = []
     trouble: list[str] = []
 
-    def opened(name: str = "robot", fragment: str = "", **options: object) -> Page:
+    def opened(name: str = "robot", fragment: str = "", script: str = "", **options: object) -> Page:
         chosen = {"viewport": {"width": 1280, "height": 800}, "reduced_motion": "reduce", **options}
         context = browser.new_context(**chosen)  # type: ignore[arg-type]  # the options of a context, by name
         context.set_default_timeout(10_000)
         contexts.append(context)
+        if script:  # of whatever shows the page
+            context.add_init_script(script)
         page = context.new_page()
         page.on("console", lambda message: trouble.append(f"console: {message.text}"))
         page.on("pageerror", lambda error: trouble.append(f"error: {error}"))
