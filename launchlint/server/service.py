@@ -148,11 +148,12 @@ class Service(LanguageServer):
                 return None
         return found()
 
-    def markup(self, kinds: Sequence[types.MarkupKind] | None, markdown: str) -> types.MarkupContent:
-        """A text as the client can show it: ``kinds`` are those that it says it can."""
-        if kinds is None or types.MarkupKind.Markdown not in kinds:
-            return types.MarkupContent(types.MarkupKind.PlainText, markdown.replace("**", "").replace("`", ""))
-        return types.MarkupContent(types.MarkupKind.Markdown, markdown)
+    def markup(self, kinds: Sequence[types.MarkupKind] | None, markdown: str) -> types.MarkupContent | str:
+        """A text as the client can show it: ``kinds`` are those that it says it can; some say nothing of that."""
+        if kinds and types.MarkupKind.Markdown in kinds:
+            return types.MarkupContent(types.MarkupKind.Markdown, markdown)
+        plain = markdown.replace("**", "").replace("`", "")
+        return types.MarkupContent(types.MarkupKind.PlainText, plain) if kinds else plain
 
     # -- for requests --------------------------------------------------------------------------------------------
 
