@@ -277,6 +277,8 @@ def initial_value(machine: Machine, field: Field, frame: Frame) -> Value:
     initial = field.initial
     if initial is None:
         return UNKNOWN
+    if initial.kind == "initializer_list" and len(initial.children) == 1 and field.type.name == "char":
+        return machine.evaluate(initial.children[0], frame)  # a text in braces: char name[]{"text"}
     if initial.kind == "initializer_list" and not field.array and not is_list(machine, field.type, frame):
         return construct(machine, field.type, arguments(machine, initial, frame), initial, frame)
     if initial.kind == "argument_list":

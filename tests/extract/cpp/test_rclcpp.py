@@ -604,3 +604,9 @@ def test_elements_that_a_container_of_a_template_makes(tmp_path: Path) -> None:
 def test_elements_of_which_nothing_is_known_may_talk_where_they_are_given_a_node(tmp_path: Path) -> None:
     _, doubts, _ = follow(tmp_path, node('    auto others = registry();\n    others.emplace_back("in", this);'))
     assert "emplace_back makes what is not known of a node" in {each.reason for each in doubts}
+
+
+def test_texts_in_braces(tmp_path: Path) -> None:
+    member = '  static constexpr char kName[]{"odom"};'
+    facts, _, _ = follow(tmp_path, node('    declare_parameter("frame", kName);\n    declare_parameter("map", std::string{kName});', member))
+    assert [spelled(each) for each in facts] == ["params ~frame string default='odom' declared", "params ~map string default='odom' declared"]
