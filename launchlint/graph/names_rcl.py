@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 
 def param_name(name: str) -> str:
-    """What code calls ``~group/name`` or ``~group.name``, without what says that it is the node's own."""
-    return name.removeprefix("~").lstrip("/").replace("/", ".")
+    """What code calls ``~group.name``, without what says that it is the node's own; a slash in it is a letter like others for rcl."""
+    return name.removeprefix("~").lstrip("/")
 
 
 _UNNAMED = "launchlint_unnamed"

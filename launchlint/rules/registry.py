@@ -230,7 +230,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL601", "remap-matches-nothing", "remaps.remap_matches_nothing", WARNING, view="graph", dialects=BOTH),
     Entry("LL602", "remap-after-node", "remaps.remap_after_node", WARNING, view="launch"),
     Entry("LL603", "remap-out-of-effect", "remaps.remap_out_of_effect", WARNING, view="launch"),
-    Entry("LL604", "remap-duplicate", "remaps.remap_duplicate", WARNING, view="launch"),
+    Entry("LL604", "remap-duplicate", "remaps.remap_duplicate", WARNING, view="launch", dialects=BOTH),
     Entry("LL605", "remap-identity", "remaps.remap_identity", INFO, view="file", dialects=BOTH),
     Entry("LL606", "remap-chain", "remaps.remap_chain", WARNING, view="graph"),
     Entry("LL607", "invalid-remap-name", "remaps.invalid_remap_name", ERROR, on=(evaluate.InvalidRemapName, evaluate.DoubledSlash)),

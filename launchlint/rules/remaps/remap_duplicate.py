@@ -4,9 +4,11 @@ Of two remaps with the same `from` in one node, or in one scope without a node b
 same name written in two ways, such as `scan` and `/scan`, is worse: roslaunch passes both, rospy takes the last one
 and roscpp the one that its own order leaves last.
 
+In ROS 2 the first remap of a name acts, not the last, and those of a `set_remap` around the node stand before its own.
+
 ## Why it matters
 
-One of the two remaps does nothing, and roslaunch does not say so.
+One of the two remaps does nothing, and nobody says so.
 
 ## Example
 
@@ -41,7 +43,7 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.problems import RemapReplaced
 from launchlint.finding import Finding, Severity
-from launchlint.model import Remap
+from launchlint.model import ROS2, Remap
 from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.judging.resolved_remaps import has_known_name, resolve
 from launchlint.rules.rule import Rule
@@ -54,6 +56,9 @@ RULE = Rule("LL604", "remap-duplicate", Severity.WARNING, fixable="safe")
 def check(view: LaunchView) -> Iterator[Finding]:
     """Look into nodes, into scopes, and for two spellings of one name."""
     launch = view.launch
+    if view.dialect.name == ROS2:
+        yield from _of_ros2(view)
+        return
     for problem in launch.noticed(RemapReplaced):
         if problem.always and not problem.assumed:
             first = problem.related[0][0]
@@ -68,6 +73,31 @@ def check(view: LaunchView) -> Iterator[Finding]:
             earlier = seen.setdefault(name, remap)
             if earlier is not remap and resolve(node, earlier.target) != resolve(node, remap.target):
                 yield _two_spellings(name, earlier, remap)
+
+
+def _of_ros2(view: LaunchView) -> Iterator[Finding]:
+    """The first rule that fits counts (rcl_remap_name): that of a set_remap stands before those of the node."""
+    for node in view.launch.nodes:
+        if len(node.remaps) < 2 or any(condition.assumed for condition in node.conditions):
+            continue
+        seen: dict[str, Remap] = {}
+        for remap in node.remaps:
+            first = seen.setdefault(remap.source, remap)
+            if first is remap or not remap.source:
+                continue
+            same, apart = first.target == remap.target, first.origin.place.key != remap.origin.place.key
+            yield RULE.at(
+                remap.origin,
+                f"{remap.source} is remapped to {remap.target} twice"
+                if same
+                else f"{remap.source} is remapped twice, to {first.target} and to {remap.target}: only the first remap acts",
+                severity=Severity.INFO if same else None,
+                label="once more" if same else "has no effect" if apart else "two remaps of one name",
+                related=((first.origin.place, "the first one"),) if apart else (),
+                help="remove one of the two",
+                topic=remap.source,
+                cause=f"{node.package}/{node.plugin or node.executable} {remap.source} {first.target} {remap.target}",
+            )
 
 
 def _in_one_scope(view: LaunchView) -> Iterator[Finding]:

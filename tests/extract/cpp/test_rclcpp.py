@@ -608,5 +608,10 @@ def test_elements_of_which_nothing_is_known_may_talk_where_they_are_given_a_node
 
 def test_texts_in_braces(tmp_path: Path) -> None:
     member = '  static constexpr char kName[]{"odom"};'
-    facts, _, _ = follow(tmp_path, node('    declare_parameter("frame", kName);\n    declare_parameter("map", std::string{kName});', member))
-    assert [spelled(each) for each in facts] == ["params ~frame string default='odom' declared", "params ~map string default='odom' declared"]
+    facts, _, _ = follow(
+        tmp_path, node('    declare_parameter("frame", kName);\n    declare_parameter("map", std::string{kName});', member)
+    )
+    assert [spelled(each) for each in facts] == [
+        "params ~frame string default='odom' declared",
+        "params ~map string default='odom' declared",
+    ]
