@@ -8,11 +8,16 @@ import shutil
 import sqlite3
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 
+from launchlint.check.cache import Cache
+from launchlint.check.entry import EntryChecker
+from launchlint.check.options import Options
+from launchlint.workspace import text_parts
+from launchlint.workspace.looking import state
 from tests.check.many import many
 from tests.cli.running import PACKAGE, clean_environment, run, write
 
@@ -422,3 +427,35 @@ def test_the_cache_does_not_grow_without_end(repository: Repository) -> None:
         write(repository.directory, {f"file{number}": ""})
         run(repository.directory, "check", "-q", "--jobs", "1", "--select", "LL103")
     assert len(list(repository.cache.glob("*.sqlite"))) == MOST_DATABASES
+
+
+def test_a_part_of_a_text_is_looked_for_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    workspace = tmp_path / "ws"
+    workspace.mkdir()
+    source = workspace / "talker.py"
+    source.write_text("rospy.Publisher('chatter', String)\n")
+    looked: list[str] = []
+
+    def found(file: str, part: str) -> Sequence[str]:
+        looked.append(file)
+        return text_parts.PARTS[part](Path(file).read_text())
+
+    monkeypatch.setattr(text_parts, "part_of", found)
+    part = f"{source}//topics"
+    known = state(part)
+
+    def holds() -> bool:
+        cache = Cache(str(tmp_path / "cache"), EntryChecker(Options(frozenset(), (str(workspace),), True, {}, str(workspace))))
+        try:
+            return cache._holds([(part, known)])
+        finally:
+            cache.close()
+
+    looked.clear()
+    assert [holds() for _ in range(3)] == [True, True, True]
+    assert looked == [str(source)]
+    source.write_text("# the rest of the text\nrospy.Publisher('chatter', String)\n")
+    assert [holds(), holds()] == [True, True]
+    assert looked == [str(source)] * 2
+    source.write_text("rospy.Publisher('chat', String)\n")
+    assert [holds(), holds()] == [False, False]
