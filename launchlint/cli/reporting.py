@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
+from pathlib import Path
 from typing import NamedTuple
 
 from launchlint import __version__
@@ -165,10 +166,12 @@ def _write(material: Material, given: ReportOptions) -> None:
     from launchlint.report.formats import emit
     from launchlint.report.html.cards import groups
     from launchlint.report.html.data import in_order, report_data
+    from launchlint.report.html.late import mark_late
     from launchlint.report.html.page import render
 
     name = os.path.splitext(os.path.basename(given.output))[0] if given.separate_assets else ""
     data, entries = report_data(material), in_order(material)
+    mark_late(data, _former(given.output))
     if given.picture is not None:
         _write_picture(given.picture, data, entries)
     page = render(data, groups(data, entries), separate=name)
@@ -181,6 +184,14 @@ def _write(material: Material, given: ReportOptions) -> None:
     for file, text in beside.items():
         write_text(file, text, what="a part of the page")
     write_text(given.output, page.html, what="the page")
+
+
+def _former(output: str) -> str:
+    """The page that stands where the new one goes; empty where there is none that can be read."""
+    try:
+        return Path(output).read_text(encoding="utf-8") if Path(output).is_file() else ""
+    except (OSError, ValueError):
+        return ""
 
 
 def _write_picture(file: str, data: Mapping[str, Any], entries: Sequence[EntryMaterial]) -> None:

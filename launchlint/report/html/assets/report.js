@@ -309,6 +309,7 @@
     machine: (entry) => byKey(entry, "machine", ({ machine: [name = "", address = ""] }) => [name, name ? machineName(name, address) : "no machine named"])
   };
   function finish(own, entry) {
+    var _a;
     own.groups.forEach((each) => finish(each, entry));
     for (const each of own.groups) if (each.count === 0 && own.kind !== "root") own.own = [...own.own, ...each.own];
     own.groups = own.groups.filter((each) => each.count > 0);
@@ -320,16 +321,24 @@
       Object.assign(own, inner, { id, kind, container, title: title2, label: label2, own: [...own.own, ...inner.own] });
     }
     own.nodes.sort((a, b) => {
-      var _a, _b;
-      return compareNames(((_a = entry.nodes[a]) == null ? void 0 : _a.name) ?? "", ((_b = entry.nodes[b]) == null ? void 0 : _b.name) ?? "") || a - b;
+      var _a2, _b;
+      return compareNames(((_a2 = entry.nodes[a]) == null ? void 0 : _a2.name) ?? "", ((_b = entry.nodes[b]) == null ? void 0 : _b.name) ?? "") || a - b;
     });
     if (own.kind === "namespace" || own.kind === "root" || own.kind === "package" || own.kind === "machine") own.groups.sort((a, b) => compareNames(a.label, b.label));
+    const late = own.nodes.filter((node) => {
+      var _a2;
+      return (_a2 = entry.nodes[node]) == null ? void 0 : _a2.late;
+    });
+    own.nodes = own.nodes.filter((node) => {
+      var _a2;
+      return !((_a2 = entry.nodes[node]) == null ? void 0 : _a2.late);
+    });
     if (own.nodes.length > MOST) byFile(own, entry);
     if (own.nodes.length > MOST) {
       const ranges = split(own.nodes).map((nodes) => {
         const label2 = between(nodes.map((each) => {
-          var _a;
-          return lastPart(((_a = entry.nodes[each]) == null ? void 0 : _a.name) ?? "");
+          var _a2;
+          return lastPart(((_a2 = entry.nodes[each]) == null ? void 0 : _a2.name) ?? "");
         }));
         const range = group2("range", `${own.id}#n${nodes[0]}`, label2, own.namespace);
         range.title = `${counted(nodes.length, "node")}: ${label2}`;
@@ -337,15 +346,18 @@
         return range;
       });
       own.nodes = [];
+      (_a = ranges[ranges.length - 1]) == null ? void 0 : _a.nodes.push(...late.splice(0));
       own.groups.push(...ranges);
       ranges.forEach((each) => finish(each, entry));
     }
+    own.nodes.push(...late);
+    tellApart(own.groups, entry);
     const whole = own.groups.filter((each) => each.kind !== "range");
     if (whole.length > MOST) {
       const ranges = split(whole).map((groups) => {
-        var _a;
+        var _a2;
         const label2 = between(groups.map((each) => each.label));
-        const range = group2("range", `${own.id}#${(_a = groups[0]) == null ? void 0 : _a.id}`, label2, own.namespace);
+        const range = group2("range", `${own.id}#${(_a2 = groups[0]) == null ? void 0 : _a2.id}`, label2, own.namespace);
         range.title = `${counted(groups.length, "container")}: ${label2}`;
         range.groups = groups;
         return range;
@@ -358,6 +370,28 @@
       each.parent = own.id;
       own.count += each.count;
     }
+  }
+  function tellApart(groups, entry) {
+    const alike = /* @__PURE__ */ new Map();
+    for (const each of groups) alike.set(each.label, [...alike.get(each.label) ?? [], each]);
+    for (const own of alike.values()) {
+      if (own.length < 2) continue;
+      const told2 = own.map((each) => beginning(Array.from(walk(each), ({ nodes }) => nodes).flat().filter((node) => {
+        var _a;
+        return !((_a = entry.nodes[node]) == null ? void 0 : _a.late);
+      }).map((node) => {
+        var _a;
+        return ((_a = entry.nodes[node]) == null ? void 0 : _a.name) ?? "";
+      })));
+      const differ = new Set(told2).size === own.length && !told2.includes("");
+      own.forEach((each, at) => each.label = `${each.label} · ${differ ? cut(told2[at] ?? "", SHORT) : at + 1}`);
+    }
+  }
+  function beginning([first = "", ...others]) {
+    let same = first.length;
+    for (const other of others) while (!other.startsWith(first.slice(0, same))) same--;
+    const shared2 = first.slice(0, same);
+    return (others.every((other) => other === first) ? shared2 : shared2.replace(/[^/_.-]*$/, "")).replace(/^[/]|[/_.-]+$/g, "");
   }
   function byFile(own, entry) {
     var _a, _b, _c, _d, _e;
@@ -1162,6 +1196,492 @@ ${counted(about.nodes, "node")}`;
     return opened;
   }
 
+  // launchlint/report/html/js/drawing/wayfinder.js
+  var STEP2 = 8;
+  var BESIDE = 5;
+  var STRAIGHT = 9;
+  var [TURN, CROSS, ALONG, NAME] = [24, 16, 400, 24];
+  var BEYOND = 3;
+  function wayBetween(from, to, room, boxes, names2, lines, net) {
+    const start2 = { x: from.x + STRAIGHT, y: from.y };
+    const end = { x: to.x - STRAIGHT, y: to.y };
+    const [left, right] = [Math.min(BESIDE, start2.x, end.x), Math.max(room.width - BESIDE, start2.x, end.x)];
+    const [top, bottom] = [Math.min(room.top, start2.y, end.y), Math.max(room.height, start2.y, end.y) + 4 * STEP2];
+    const grid = new Grid(ticks(left, right, [start2.x, end.x, right]), ticks(top, bottom, [start2.y, end.y, bottom]));
+    for (const box2 of boxes) grid.mark(grid.blocked, box2.x - BESIDE, box2.y - BESIDE, box2.x + box2.width + BESIDE, box2.y + box2.height + BESIDE);
+    for (const name of names2) grid.mark(grid.named, name.x, name.y, name.x + name.width, name.y + name.height);
+    for (const line4 of lines) {
+      if (line4.net === net) continue;
+      line4.points.slice(1).forEach((point, at) => {
+        const last = (
+          /** @type {Point} */
+          line4.points[at]
+        );
+        const level = Math.abs(point.y - last.y) < 0.5;
+        const near = STEP2 / 2 + 1;
+        const [x1, x2, y1, y2] = [Math.min(point.x, last.x), Math.max(point.x, last.x), Math.min(point.y, last.y), Math.max(point.y, last.y)];
+        grid.mark(level ? grid.level : grid.upright, level ? x1 : x1 - near, level ? y1 - near : y1, level ? x2 : x2 + near, level ? y2 + near : y2);
+      });
+    }
+    const way = grid.search(start2, end, room.height);
+    return straightened([from, ...way ?? [start2, { x: start2.x, y: bottom }, { x: end.x, y: bottom }, end], to]);
+  }
+  function ticks(from, to, more) {
+    const found2 = new Set(more);
+    for (let at = from; at <= to; at += STEP2) found2.add(at);
+    return [...found2].sort((a, b) => a - b);
+  }
+  function straightened(points) {
+    return points.filter((point, at) => {
+      const [last, next] = [points[at - 1], points[at + 1]];
+      return !last || !next || !(last.x === point.x && point.x === next.x || last.y === point.y && point.y === next.y);
+    });
+  }
+  var Grid = class {
+    /** @param {number[]} xs @param {number[]} ys */
+    constructor(xs, ys) {
+      this.xs = xs;
+      this.ys = ys;
+      const size = xs.length * ys.length;
+      this.blocked = new Uint8Array(size);
+      this.named = new Uint8Array(size);
+      this.level = new Uint8Array(size);
+      this.upright = new Uint8Array(size);
+    }
+    /** @param {Uint8Array} cells @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2 */
+    mark(cells2, x1, y1, x2, y2) {
+      for (let y = atLeast(this.ys, y1); y < this.ys.length && /** @type {number} */
+      this.ys[y] <= y2; y++) {
+        for (let x = atLeast(this.xs, x1); x < this.xs.length && /** @type {number} */
+        this.xs[x] <= x2; x++) cells2[y * this.xs.length + x] = 1;
+      }
+    }
+    /**
+     * The cheapest way, level at its start; null where there is none.
+     * @param {Point} start @param {Point} end @param {number} beyond height from which on it costs more
+     * @returns {Point[] | null}
+     */
+    search(start2, end, beyond) {
+      const { xs, ys } = this;
+      const columns = xs.length;
+      const cell = (point) => ys.indexOf(point.y) * columns + xs.indexOf(point.x);
+      const [first, last] = [cell(start2), cell(end)];
+      const costs = new Float64Array(2 * columns * ys.length).fill(Infinity);
+      const from = new Int32Array(2 * columns * ys.length).fill(-1);
+      const open = new Heap();
+      costs[2 * first] = 0;
+      open.add(2 * first, 0);
+      for (let state = open.take(); state !== void 0; state = open.take()) {
+        const at = state >> 1;
+        if (at === last) return this.back(from, state);
+        const [x, y, isUpright] = [at % columns, Math.floor(at / columns), state & 1];
+        for (
+          const [dx, dy] of
+          /** @type {const} */
+          [[1, 0], [-1, 0], [0, 1], [0, -1]]
+        ) {
+          const [nx, ny] = [x + dx, y + dy];
+          if (nx < 0 || ny < 0 || nx >= columns || ny >= ys.length) continue;
+          const next = ny * columns + nx;
+          if (this.blocked[next] && next !== last) continue;
+          const turned = dy !== 0;
+          const length = Math.abs(
+            /** @type {number} */
+            xs[nx] - /** @type {number} */
+            xs[x]
+          ) + Math.abs(
+            /** @type {number} */
+            ys[ny] - /** @type {number} */
+            ys[y]
+          );
+          let cost = (
+            /** @type {number} */
+            costs[state] + length * /** @type {number} */
+            (ys[ny] > beyond ? BEYOND : 1)
+          );
+          if (turned !== Boolean(isUpright)) cost += TURN;
+          if ((turned ? this.upright : this.level)[next]) cost += ALONG;
+          if ((turned ? this.level : this.upright)[next]) cost += CROSS;
+          if (this.named[next]) cost += NAME;
+          const key = 2 * next + Number(turned);
+          if (cost >= /** @type {number} */
+          costs[key]) continue;
+          costs[key] = cost;
+          from[key] = state;
+          open.add(key, cost + Math.abs(
+            /** @type {number} */
+            xs[nx] - end.x
+          ) + Math.abs(
+            /** @type {number} */
+            ys[ny] - end.y
+          ));
+        }
+      }
+      return null;
+    }
+    /** @param {Int32Array} from @param {number} state */
+    back(from, state) {
+      const points = [];
+      for (let at = state; at >= 0; at = from[at] ?? -1) {
+        const cell = at >> 1;
+        points.push({ x: this.xs[cell % this.xs.length] ?? 0, y: this.ys[Math.floor(cell / this.xs.length)] ?? 0 });
+      }
+      return points.reverse();
+    }
+  };
+  function atLeast(all, least) {
+    let [low, high] = [0, all.length];
+    while (low < high) {
+      const middle2 = low + high >> 1;
+      if (
+        /** @type {number} */
+        all[middle2] < least
+      ) low = middle2 + 1;
+      else high = middle2;
+    }
+    return low;
+  }
+  var Heap = class {
+    constructor() {
+      this.all = [];
+      this.turn = 0;
+    }
+    /** @param {number} what @param {number} cost */
+    add(what, cost) {
+      const { all } = this;
+      all.push([cost, this.turn++, what]);
+      for (let at = all.length - 1; at > 0; ) {
+        const above = at - 1 >> 1;
+        if (!this.before(at, above)) break;
+        this.swap(at, above);
+        at = above;
+      }
+    }
+    /** @returns {number | undefined} */
+    take() {
+      const { all } = this;
+      const first = all[0];
+      const last = all.pop();
+      if (!first || !last || !all.length) return first == null ? void 0 : first[2];
+      all[0] = last;
+      for (let at = 0; ; ) {
+        let least = at;
+        for (const below of [2 * at + 1, 2 * at + 2]) if (below < all.length && this.before(below, least)) least = below;
+        if (least === at) break;
+        this.swap(at, least);
+        at = least;
+      }
+      return first[2];
+    }
+    /** @param {number} one @param {number} other */
+    before(one2, other) {
+      const [a, b] = [
+        /** @type {[number, number, number]} */
+        this.all[one2],
+        /** @type {[number, number, number]} */
+        this.all[other]
+      ];
+      return a[0] < b[0] || a[0] === b[0] && a[1] < b[1];
+    }
+    /** @param {number} one @param {number} other */
+    swap(one2, other) {
+      const [a, b] = [
+        /** @type {[number, number, number]} */
+        this.all[one2],
+        /** @type {[number, number, number]} */
+        this.all[other]
+      ];
+      this.all[one2] = b;
+      this.all[other] = a;
+    }
+  };
+
+  // launchlint/report/html/js/drawing/growing.js
+  var ROOM = 22;
+  var AWAY = 64;
+  var STEP3 = 12;
+  var PITCH2 = 16;
+  var LARGER = 2;
+  async function grown(level, before, standing, fresh, turn, measure) {
+    var _a;
+    const all = /* @__PURE__ */ new Map();
+    for (const box2 of level.boxes) {
+      if (!box2.level) continue;
+      const was = (_a = before.boxes.find((each) => each.id === box2.id)) == null ? void 0 : _a.level;
+      const inside = was ? await grown(box2.level, was, standing, fresh, turn, measure) : await fresh(box2.level);
+      inside.forEach((placed, id) => all.set(id, placed));
+    }
+    const own = standing.get(before.group.id);
+    if (own) all.set(level.group.id, new Growth(level, before, own, all, measure).placed(turn));
+    return all;
+  }
+  var Growth = class {
+    /** @param {Level} level @param {Level} before @param {Placed} own @param {Map<string, Placed>} inner @param {Measure} measure */
+    constructor(level, before, own, inner, measure) {
+      this.level = level;
+      this.inner = inner;
+      this.measure = measure;
+      this.head = Math.min(own.height, ...Array.from(own.boxes.values(), (area) => area.y));
+      this.all = { width: own.width, height: own.height, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
+      this.keep(before, own);
+      for (const box2 of level.boxes) this.stretch(box2);
+    }
+    /** What was there stays. @param {Level} before @param {Placed} own */
+    keep(before, own) {
+      const { all, level } = this;
+      const known6 = new Map(before.edges.map((edge) => [edge.id, edge]));
+      for (const box2 of level.boxes) {
+        const area = own.boxes.get(box2.id);
+        if (area) all.boxes.set(box2.id, { ...area });
+        for (const { id } of box2.loose) this.take(own, id, id);
+      }
+      for (const port of level.ports) this.take(own, port.id, port.id);
+      for (const edge of level.edges) {
+        const was = known6.get(edge.id);
+        const line4 = was && own.edges.get(was.id);
+        if (!was || !line4) continue;
+        all.edges.set(edge.id, { points: line4.points.map((point) => ({ ...point })), junctions: line4.junctions.map((point) => ({ ...point })) });
+        this.take(own, was.fromPort, edge.fromPort);
+        this.take(own, was.toPort, edge.toPort);
+      }
+    }
+    /** @param {Placed} own @param {string} id @param {string} now */
+    take(own, id, now) {
+      const [port, label2] = [own.ports.get(id), own.labels.get(id)];
+      if (port) this.all.ports.set(now, { ...port });
+      if (label2) this.all.labels.set(now, { ...label2 });
+    }
+    /** Makes room where an open container is larger than it was. @param {Box} box */
+    stretch(box2) {
+      const { all } = this;
+      const area = all.boxes.get(box2.id);
+      const size = box2.level ? this.inner.get(box2.id) : null;
+      if (!area || !size) return;
+      const [right, bottom] = [area.x + area.width, area.y + area.height];
+      const [dx, dy] = [Math.max(0, size.width - area.width), Math.max(0, size.height - area.height)];
+      area.width += dx;
+      area.height += dy;
+      if (!dx && !dy) return;
+      if (!dx && !this.isTaken(wider({ x: area.x, y: bottom, width: area.width, height: dy }, ROOM / 2), box2)) {
+        all.height = Math.max(all.height, area.y + area.height + MARGIN2);
+        return;
+      }
+      const push2 = (point) => {
+        if (point.x >= right - 0.5) point.x += dx;
+        if (point.y >= bottom - 0.5) point.y += dy;
+      };
+      all.boxes.forEach((each, id) => id !== box2.id && push2(each));
+      all.ports.forEach(push2);
+      all.labels.forEach(push2);
+      for (const { points, junctions } of all.edges.values()) [...points, ...junctions].forEach(push2);
+      all.width += dx;
+      all.height += dy;
+    }
+    /** Whether something else stands in an area. @param {Area} area @param {Box} box */
+    isTaken(area, box2) {
+      const { boxes, labels, edges } = this.all;
+      const lines = Array.from(edges.values(), ({ points }) => points.slice(1).map((point, at) => between2(
+        /** @type {Point} */
+        points[at],
+        point
+      ))).flat();
+      return Array.from(boxes).some(([id, other]) => id !== box2.id && overlap(other, area)) || [...labels.values(), ...lines].some((other) => overlap(wider(other, 1), area));
+    }
+    /** @param {(box: Box) => number} turn @returns {Placed} */
+    placed(turn) {
+      const { all, level } = this;
+      const missing2 = level.boxes.filter((box2) => !all.boxes.has(box2.id)).sort((a, b) => turn(a) - turn(b));
+      for (const box2 of missing2) this.put(box2);
+      for (const box2 of level.boxes) if (!missing2.includes(box2)) this.hollow(box2);
+      for (const edge of level.edges) if (!this.holds(edge)) all.edges.delete(edge.id);
+      const routed = level.edges.filter((edge) => !all.edges.has(edge.id));
+      for (const edge of routed) this.route(edge);
+      this.close();
+      return all;
+    }
+    /** Where a line ends: at a port that is there, at an open container where its line passes, at the border, or at a place that is free. @param {Edge} edge @param {boolean} out @param {Point} [towards] @returns {Point} */
+    end(edge, out, towards2) {
+      var _a, _b;
+      const { all } = this;
+      const [id, box2, tip] = out ? [edge.fromPort, edge.fromBox, edge.from] : [edge.toPort, edge.toBox, edge.to];
+      const area = all.boxes.get(box2);
+      const inside = area && ((_a = this.inner.get(box2)) == null ? void 0 : _a.ports.get(tip));
+      if (area && inside) return { x: out ? area.x + area.width : area.x, y: area.y + inside.y };
+      const known6 = all.ports.get(id);
+      if (known6) return known6;
+      const side = area ? { x: out ? area.x + area.width : area.x, from: area.y, to: area.y + area.height } : { x: out ? 0 : all.width, from: this.head, to: Math.max(this.head + PITCH2, all.height - MARGIN2) };
+      const isPill = ((_b = this.level.boxes.find((each) => each.id === box2)) == null ? void 0 : _b.kind) === "pill";
+      const y = isPill ? (side.from + side.to) / 2 : this.free(side, (towards2 == null ? void 0 : towards2.y) ?? (side.from + side.to) / 2);
+      const port = { x: side.x, y };
+      all.ports.set(id, port);
+      return port;
+    }
+    /** A place at a side that no port has. @param {{ x: number, from: number, to: number }} side @param {number} wanted */
+    free({ x, from, to }, wanted) {
+      const taken = [...this.all.ports.values(), ...Array.from(this.all.edges.values(), ({ points }) => [points[0], points[points.length - 1]]).flat()];
+      const near = taken.flatMap((port) => port && Math.abs(port.x - x) < 1 && port.y >= from && port.y <= to ? [port.y] : []);
+      let [best, most] = [(from + to) / 2, -Infinity];
+      for (let y = from + 6; y <= to - 6; y += 2) {
+        const room = Math.min(PITCH2, ...near.map((each) => Math.abs(each - y)));
+        const worth = room * 100 - Math.abs(y - wanted);
+        if (worth > most) [best, most] = [y, worth];
+      }
+      return best;
+    }
+    /** Whether a line that was there still ends where it has to. @param {Edge} edge */
+    holds(edge) {
+      var _a;
+      const points = (_a = this.all.edges.get(edge.id)) == null ? void 0 : _a.points;
+      const [first, last] = [points == null ? void 0 : points[0], points == null ? void 0 : points[points.length - 1]];
+      if (!points || !first || !last) return false;
+      const near = (a, b) => Math.abs(a.x - b.x) < 0.5 && Math.abs(a.y - b.y) < 0.5;
+      return near(first, this.end(edge, true)) && near(last, this.end(edge, false));
+    }
+    /** Puts a new box where there is room, and its ports. @param {Box} box */
+    put(box2) {
+      const { all, level } = this;
+      const leaving = level.edges.filter((edge) => edge.fromBox === box2.id);
+      const entering = level.edges.filter((edge) => edge.toBox === box2.id);
+      const inner = this.inner.get(box2.id);
+      const sides2 = [false, true].map((out) => ({
+        ids: inner || box2.kind === "pill" ? [] : [.../* @__PURE__ */ new Set([...(out ? leaving : entering).map((edge) => out ? edge.fromPort : edge.toPort), ...box2.loose.filter((port) => port.out === out).map((port) => port.id)])],
+        names: new Map([...(out ? leaving : []).map((edge) => (
+          /** @type {const} */
+          [edge.fromPort, this.nameOf(edge.label)]
+        )), ...box2.loose.filter((port) => port.out === out).map((port) => (
+          /** @type {const} */
+          [port.id, this.nameOf(port.label ? [port.label] : [], port.badge ? BADGE : 0)]
+        ))])
+      }));
+      const [left = 0, right = 0] = sides2.map(({ names: names2 }) => Math.max(0, ...Array.from(names2.values(), (name) => (name == null ? void 0 : name.width) ?? 0)));
+      const pitch = ({ names: names2 }) => Math.max(PITCH2, ...Array.from(names2.values(), (name) => ((name == null ? void 0 : name.height) ?? 0) + 2));
+      const width = (inner == null ? void 0 : inner.width) ?? box2.width;
+      const height = Math.max((inner == null ? void 0 : inner.height) ?? box2.height, ...sides2.map((side) => (side.ids.length + 0.5) * pitch(side)));
+      const at = this.placeFor({ width: left + width + right, height }, leaving, entering);
+      const area = { x: at.x + left, y: at.y, width, height };
+      all.boxes.set(box2.id, area);
+      sides2.forEach((side, out) => side.ids.forEach((id, index) => {
+        const port = { x: area.x + (out ? width : 0), y: area.y + height / 2 + (index - (side.ids.length - 1) / 2) * pitch(side) };
+        all.ports.set(id, port);
+        const name = side.names.get(id);
+        const isLoose = box2.loose.some((each) => each.id === id);
+        if (name) all.labels.set(id, { x: out ? port.x : port.x - name.width, y: port.y - (isLoose ? name.height / 2 : name.height), width: name.width, height: name.height });
+      }));
+      all.width = Math.max(all.width, at.x + left + width + right + MARGIN2);
+      all.height = Math.max(all.height, at.y + height + MARGIN2);
+    }
+    /** Room for a name. @param {string[]} lines @param {number} [more] @returns {Area | null} */
+    nameOf(lines, more = 0) {
+      const width = Math.ceil(Math.max(0, ...lines.map((line4) => this.measure(line4, "label")))) + more;
+      return width ? { x: 0, y: 0, width: width + PADDING.x, height: Math.max(1, lines.length) * LABEL_HEIGHT + 2 } : null;
+    }
+    /**
+     * The free place that is nearest to where a box belongs: behind what it hears, before what hears it.
+     * @param {{ width: number, height: number }} size
+     * @param {Edge[]} leaving
+     * @param {Edge[]} entering
+     * @returns {Point}
+     */
+    placeFor({ width, height }, leaving, entering) {
+      const { all } = this;
+      const givers = entering.flatMap((edge) => all.boxes.get(edge.fromBox) ?? []);
+      const takers = leaving.flatMap((edge) => all.boxes.get(edge.toBox) ?? []);
+      const [giver, taker] = [givers[0], takers[0]];
+      const wanted = giver ? { x: giver.x + giver.width + AWAY, y: giver.y } : taker ? { x: taker.x - AWAY - width, y: taker.y } : { x: MARGIN2, y: all.height };
+      const lines = Array.from(all.edges.values(), ({ points }) => points.slice(1).map((point, at) => between2(
+        /** @type {Point} */
+        points[at],
+        point
+      ))).flat();
+      const taken = [...Array.from(all.boxes.values(), (area) => wider(area, ROOM)), ...Array.from(all.labels.values(), (area) => wider(area, 8)), ...lines.map((area) => wider(area, 10))];
+      let [best, least] = [{ x: MARGIN2, y: all.height }, Infinity];
+      const last = { x: Math.max(MARGIN2, all.width - MARGIN2 - width), y: all.height + ROOM };
+      for (let y = this.head; y <= last.y; y += STEP3) {
+        for (let x = MARGIN2; x <= last.x + STEP3; x += STEP3) {
+          const at = { x: Math.min(x, last.x), y };
+          const cost = Math.abs(at.x - wanted.x) + Math.abs(y - wanted.y) + LARGER * (Math.max(0, at.x + width + MARGIN2 - all.width) + Math.max(0, y + height + MARGIN2 - all.height));
+          if (cost < least && !taken.some((area) => overlap(area, { ...at, width, height }))) [best, least] = [at, cost];
+        }
+      }
+      return best;
+    }
+    /** Hollow ports that a box did not have. @param {Box} box */
+    hollow(box2) {
+      const { all } = this;
+      const area = all.boxes.get(box2.id);
+      if (!area || box2.level) return;
+      for (const port of box2.loose) {
+        if (all.ports.has(port.id)) continue;
+        const x = area.x + (port.out ? area.width : 0);
+        const y = this.free({ x, from: area.y, to: area.y + area.height }, area.y + area.height / 2);
+        all.ports.set(port.id, { x, y });
+      }
+    }
+    /** @param {Edge} edge */
+    route(edge) {
+      const { all } = this;
+      const roughly2 = all.boxes.get(edge.toBox);
+      const from = this.end(edge, true, roughly2 && { x: roughly2.x, y: roughly2.y + roughly2.height / 2 });
+      const to = this.end(edge, false, from);
+      const net = edge.fromPort;
+      const nets = new Map(this.level.edges.map((each) => [each.id, each.fromPort === edge.fromPort || each.toPort === edge.toPort ? net : each.id]));
+      const lines = Array.from(all.edges, ([id, { points: points2 }]) => ({ net: nets.get(id) ?? id, points: points2 }));
+      const points = wayBetween(from, to, { width: all.width, height: all.height - 8, top: this.head }, [...all.boxes.values()], [...all.labels.values()], lines, net);
+      all.height = Math.max(all.height, ...points.map((point) => point.y + MARGIN2));
+      all.edges.set(edge.id, { points, junctions: [] });
+      const name = edge.fromBox ? this.nameOf(edge.label) : null;
+      if (!name || all.labels.has(edge.fromPort)) return;
+      const area = { x: from.x, y: from.y - name.height, width: name.width, height: name.height };
+      if (![...all.boxes.values()].some((box2) => overlap(box2, area))) all.labels.set(edge.fromPort, area);
+    }
+    /** Leads what leaves through the border on to where it is now. */
+    close() {
+      var _a;
+      const { all, level } = this;
+      for (const { id, out } of level.ports) {
+        const port = all.ports.get(id);
+        if (!port || !out || port.x >= all.width) continue;
+        const was = port.x;
+        port.x = all.width;
+        for (const edge of level.edges) for (const point of edge.to === id ? ((_a = all.edges.get(edge.id)) == null ? void 0 : _a.points) ?? [] : []) if (Math.abs(point.x - was) < 0.5) point.x = all.width;
+      }
+    }
+  };
+  function overlap(a, b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+  }
+  function wider({ x, y, width, height }, by) {
+    return { x: x - by, y: y - by, width: width + 2 * by, height: height + 2 * by };
+  }
+  function between2(a, b) {
+    return { x: Math.min(a.x, b.x), y: Math.min(a.y, b.y), width: Math.abs(a.x - b.x), height: Math.abs(a.y - b.y) };
+  }
+
+  // launchlint/report/html/js/drawing/late.js
+  function hasLate(entry) {
+    return entry.nodes.some((node) => node.late && !node.absent) || entry.connections.some((each) => each.late);
+  }
+  function turnOf(entry, box2) {
+    var _a;
+    return box2.startsWith("n:") && ((_a = entry.nodes[Number(box2.slice(2))]) == null ? void 0 : _a.late) || 0;
+  }
+  var former = /* @__PURE__ */ new WeakMap();
+  function withoutLate(entry) {
+    let before = former.get(entry);
+    if (!before) {
+      const nodes = entry.nodes.map((node) => node.late ? { ...node, absent: (
+        /** @type {const} */
+        true
+      ) } : node);
+      before = { ...entry, nodes, connections: entry.connections.filter((each) => {
+        var _a;
+        return !each.late && !((_a = entry.nodes[each.node]) == null ? void 0 : _a.late);
+      }) };
+      former.set(entry, before);
+    }
+    return before;
+  }
+
   // launchlint/report/html/js/drawing/bundles.js
   var LABEL = 32;
   var BROAD2 = 20;
@@ -1824,22 +2344,34 @@ ${counted(about.nodes, "node")}`;
   var known3 = /* @__PURE__ */ new WeakMap();
   var trayId = (grouping) => `g:${grouping}:~tray`;
   function inTray(entry) {
-    var _a;
     let found2 = known3.get(entry);
-    if (!found2) {
-      const sides2 = entry.channels.map(() => ({ offers: /* @__PURE__ */ new Set(), uses: /* @__PURE__ */ new Set() }));
-      for (const { channel, offers, node } of entry.connections) (_a = sides2[channel]) == null ? void 0 : _a[offers ? "offers" : "uses"].add(node);
-      const connected = /* @__PURE__ */ new Set();
-      sides2.forEach(({ offers, uses }, at) => {
-        const { hub = true, plumbing = true } = entry.channels[at] ?? {};
-        if (hub || plumbing || !offers.size || !uses.size || offers.size === 1 && uses.size === 1 && offers.has([...uses][0])) return;
-        for (const each of [...offers, ...uses]) connected.add(each);
+    if (!found2 && hasLate(entry)) {
+      const before = inTray(withoutLate(entry));
+      const now = before.length ? unconnected(entry) : [];
+      found2 = now.filter((node) => {
+        var _a;
+        return ((_a = entry.nodes[node]) == null ? void 0 : _a.late) || before.includes(node);
       });
-      found2 = entry.nodes.flatMap((node, index) => connected.has(index) || node.mark ? [] : [index]);
-      if (found2.length < FEWEST2 || found2.length === entry.nodes.length) found2 = [];
+      known3.set(entry, found2);
+    }
+    if (!found2) {
+      found2 = unconnected(entry);
+      if (found2.length < FEWEST2 || found2.length === entry.nodes.filter((node) => !node.absent).length) found2 = [];
       known3.set(entry, found2);
     }
     return found2;
+  }
+  function unconnected(entry) {
+    var _a;
+    const sides2 = entry.channels.map(() => ({ offers: /* @__PURE__ */ new Set(), uses: /* @__PURE__ */ new Set() }));
+    for (const { channel, offers, node } of entry.connections) (_a = sides2[channel]) == null ? void 0 : _a[offers ? "offers" : "uses"].add(node);
+    const connected = /* @__PURE__ */ new Set();
+    sides2.forEach(({ offers, uses }, at) => {
+      const { hub = true, plumbing = true } = entry.channels[at] ?? {};
+      if (hub || plumbing || !offers.size || !uses.size || offers.size === 1 && uses.size === 1 && offers.has([...uses][0])) return;
+      for (const each of [...offers, ...uses]) connected.add(each);
+    });
+    return entry.nodes.flatMap((node, index) => connected.has(index) || node.mark || node.absent ? [] : [index]);
   }
   function withTray(root, grouping, nodes) {
     const gone = new Set(nodes);
@@ -1867,7 +2399,7 @@ ${counted(about.nodes, "node")}`;
     const groups = new Map(Array.from(walk(tree), (each) => [each.id, each]));
     const home = /* @__PURE__ */ new Map();
     for (const group3 of groups.values()) for (const node of group3.nodes) home.set(node, group3);
-    const exists = Uint8Array.from(entry.nodes, (node) => Number(presence.meet(presence.of(node.only, node.mark), now)));
+    const exists = Uint8Array.from(entry.nodes, (node) => Number(!node.absent && presence.meet(presence.of(node.only, node.mark), now)));
     const all = wiresOf(entry, state, presence, now, exists);
     const shown = Uint8Array.from(exists);
     for (const node of hiddenNodes(state, whole)) shown[node] = 0;
@@ -2032,7 +2564,7 @@ ${counted(about.nodes, "node")}`;
   var FOOT = 36;
   var LEGIBLE = 9.02 / 12;
   var STILL = 4;
-  var STEP2 = 60;
+  var STEP4 = 60;
   var READABLE = 0.5;
   function fitting(size, extent) {
     return Math.min((extent.width - 2 * MARGIN4) / Math.max(1, size.width), (extent.height - 2 * MARGIN4 - FOOT) / Math.max(1, size.height));
@@ -2187,10 +2719,10 @@ ${counted(about.nodes, "node")}`;
     key(event) {
       if (event.altKey || event.ctrlKey || event.metaKey || event.target !== this.svg) return;
       const keys = {
-        ArrowLeft: () => this.pan(STEP2, 0),
-        ArrowRight: () => this.pan(-STEP2, 0),
-        ArrowUp: () => this.pan(0, STEP2),
-        ArrowDown: () => this.pan(0, -STEP2),
+        ArrowLeft: () => this.pan(STEP4, 0),
+        ArrowRight: () => this.pan(-STEP4, 0),
+        ArrowUp: () => this.pan(0, STEP4),
+        ArrowDown: () => this.pan(0, -STEP4),
         "+": () => this.zoom(1.25),
         "=": () => this.zoom(1.25),
         "-": () => this.zoom(0.8),
@@ -2361,6 +2893,23 @@ ${counted(about.nodes, "node")}`;
         /** @type {View | null} */
         null
       ) };
+      this.former = { key: "", view: (
+        /** @type {View | null} */
+        null
+      ) };
+    }
+    /**
+     * The view without what came late, whose layout is that of the page before; null where nothing did.
+     * @param {View} view
+     * @returns {View | null}
+     */
+    before(view) {
+      const key = viewKey(view.state);
+      if (this.former.key !== key) {
+        const entries = this.data.entries.map((entry) => entry === view.entry ? withoutLate(entry) : entry);
+        this.former = { key, view: hasLate(view.entry) ? viewOf({ ...this.data, entries }, view.state) : null };
+      }
+      return this.former.view;
     }
     /**
      * The view whose layout a view is a part of: that of everything which could be switched off, filtered or hidden.
@@ -2400,7 +2949,7 @@ ${counted(about.nodes, "node")}`;
       const shown = this.view(state, extent);
       const view = this.whole(shown);
       if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded), shown);
-      return this.stage(view, await this.opened(view, extent), shown);
+      return this.stage(view, await this.opened(this.before(view) ?? view, extent), shown);
     }
     /**
      * The containers that are open at first: as many as leave all names legible.
@@ -2451,10 +3000,18 @@ ${counted(about.nodes, "node")}`;
       }
       return scene;
     }
+    /** @param {View} view @param {Level} whole @param {Set<string>} open @returns {Promise<Map<string, Placed>>} */
+    async laidOut(view, whole, open) {
+      const fresh = (level) => layOut(this.engine, level, this.measure, this.cache, this.aspect);
+      const former2 = this.before(view);
+      if (!former2) return fresh(whole);
+      const before = levelsOf(former2, open, this.measure);
+      return grown(whole, before, await fresh(before), fresh, (box2) => turnOf(view.entry, box2.id), this.measure);
+    }
     /** @param {View} view that is laid out @param {Set<string>} open @param {View} [shown] what of it is seen @returns {Promise<Scene>} */
     async stage(view, open, shown = view) {
       const whole = levelsOf(view, open, this.measure);
-      const placed = await layOut(this.engine, whole, this.measure, this.cache, this.aspect);
+      const placed = await this.laidOut(view, whole, open);
       const root = shown === view ? whole : masked(whole, shown, this.measure);
       return { view: shown, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
     }
@@ -6319,7 +6876,7 @@ ${end.mark}`;
   );
   var LEAST = 160;
   var MOST6 = 720;
-  var STEP3 = 20;
+  var STEP5 = 20;
   function createSidePanels() {
     const sheet = new CSSStyleSheet();
     document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
@@ -6357,7 +6914,7 @@ ${end.mark}`;
         bar.addEventListener("lostpointercapture", () => bar.removeEventListener("pointermove", follow2), { once: true });
       });
       bar.addEventListener("keydown", (event) => {
-        const steps = { ArrowRight: STEP3, ArrowLeft: -STEP3 }[event.key];
+        const steps = { ArrowRight: STEP5, ArrowLeft: -STEP5 }[event.key];
         if (steps === void 0) return;
         event.preventDefault();
         become({ ...form, width: form.width + steps * grows });

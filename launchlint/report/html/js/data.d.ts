@@ -147,6 +147,10 @@ export interface Node {
   /** The same of those that stand elsewhere and speak of this element, too. */
   related: number[];
   mark?: Mark;
+  /** In which turn it came, where it was not there when the page was first made: what was there before does not move for it. */
+  late?: number;
+  /** Of the page itself: not there in the view that tells where the others stand. */
+  absent?: true;
 }
 
 export interface Channel {
@@ -188,6 +192,8 @@ export interface Connection {
   evidence: string[];
   only: number[];
   mark?: Mark;
+  /** As of a node. */
+  late?: number;
 }
 
 export interface Param {

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { walk } from "../../../../launchlint/report/html/js/drawing/tree.js";
+import { assertSound, levels } from "./sound.js";
 import { numbers, random, scene } from "./written.js";
 
 const SEEDS = Array.from({ length: 60 }, (_, at) => at + 1);
@@ -19,45 +20,11 @@ async function view(seed) {
   return scene(of, { ...chosen, focus, expanded: new Set(groups.filter(() => next(4) > 0)) });
 }
 
-const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-const inside = (a, b) => a.x >= b.x && a.y >= b.y && a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;
-
-/** Whether a piece of a line, which is level or upright, goes through a box: touching its border is no matter. */
-function crosses(from, to, box) {
-  const [left, right] = [Math.min(from.x, to.x), Math.max(from.x, to.x)];
-  const [top, bottom] = [Math.min(from.y, to.y), Math.max(from.y, to.y)];
-  return right > box.x + 1 && left < box.x + box.width - 1 && bottom > box.y + 1 && top < box.y + box.height - 1;
-}
-
-function* levels(level) {
-  yield level;
-  for (const box of level.boxes) if (box.level) yield* levels(box.level);
-}
-
 for (const seed of SEEDS) {
   test(`seed ${seed}`, async () => {
-    const { sheet, root, drawn, view: shown } = await view(seed);
-    const areas = new Map(sheet.boxes.map((each) => [each.box.id, each]));
-    const lineOf = new Map(sheet.edges.map((each) => [each.edge.id, each]));
-    assert.deepEqual([...areas.keys()].sort(), [...drawn.boxes.keys()].sort());
-    assert.deepEqual([...lineOf.keys()].sort(), [...drawn.edges.keys()].sort());
-
-    for (const level of levels(root)) {
-      const around = areas.get(level.group.id) ?? { x: 0, y: 0, width: sheet.width, height: sheet.height };
-      const own = level.boxes.map((box) => areas.get(box.id));
-      for (const box of own) assert.ok(inside(box, around), `${box.box.id} sticks out of ${level.group.id}`);
-      own.forEach((one, at) => own.slice(at + 1).forEach((other) => assert.ok(!overlap(one, other), `${one.box.id} overlaps ${other.box.id}`)));
-      for (const edge of level.edges) {
-        const { points } = lineOf.get(edge.id);
-        for (let at = 1; at < points.length; at++) {
-          const through = own.filter((box) => crosses(points[at - 1], points[at], box)).map((box) => box.box.id);
-          assert.deepEqual(through, [], `${edge.id} goes through boxes`);
-        }
-      }
-      const labels = sheet.labels.filter((each) => level.edges.includes(each.edge));
-      for (const label of labels) assert.deepEqual(own.filter((box) => overlap(label, box)).map((box) => box.box.id), [], `the name of ${label.edge.id}`);
-    }
-
+    const found = await view(seed);
+    assertSound(found);
+    const { root, drawn, view: shown } = found;
     assert.deepEqual(followed(drawn, shown), connected(drawn, shown));
     for (const level of levels(root)) assert.deepEqual(misleading(level.edges), []);
   });

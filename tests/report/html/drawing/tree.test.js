@@ -41,6 +41,17 @@ test("elements of launch files, the empty ones and groups without a name left ou
   });
 });
 
+test("includes of one file are told apart", () => {
+  const containers = [0, 1, 2].map(() => ({ kind: "include", label: "demo/drone.launch", namespace: "/", place: null, parent: -1 }));
+  const nodes = { "/drone_0_pose": { container: 0 }, "/drone_0_map": { container: 0 }, "/drone_1_pose": { container: 1 } };
+  assert.deepEqual(of([], { nodes, containers }, "file"), {
+    "root / (3)": [{ "include drone.launch · drone_0 (2)": ["/drone_0_map", "/drone_0_pose"] }, { "include drone.launch · drone_1_pose (1)": ["/drone_1_pose"] }],
+  });
+  assert.deepEqual(of([], { nodes: { "/a": { container: 0 }, "/b": { container: 0 }, "/c": { container: 1 } }, containers }, "file"), {
+    "root / (3)": [{ "include drone.launch · 1 (2)": ["/a", "/b"] }, { "include drone.launch · 2 (1)": ["/c"] }],
+  });
+});
+
 test("packages", () => {
   const nodes = { "/b": { package: "tf" }, "/a": { package: "tf" }, "/c": { package: "" } };
   assert.deepEqual(of([], { nodes }, "package"), { "root / (3)": [{ "package no package (1)": ["/c"] }, { "package tf (2)": ["/a", "/b"] }] });

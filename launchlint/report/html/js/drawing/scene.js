@@ -2,6 +2,8 @@
 
 import { layOut } from "./arrange.js";
 import { MOST, boxesIn, opening } from "./expansion.js";
+import { grown } from "./growing.js";
+import { hasLate, turnOf, withoutLate } from "./late.js";
 import { levelsOf } from "./levels.js";
 import { masked } from "./mask.js";
 import { sheetOf } from "./sheet.js";
@@ -36,6 +38,21 @@ export class Director {
     this.aspect = 1;
     this.seen = { key: "", place: "", view: /** @type {View | null} */ (null) };
     this.laid = { key: "", view: /** @type {View | null} */ (null) };
+    this.former = { key: "", view: /** @type {View | null} */ (null) };
+  }
+
+  /**
+   * The view without what came late, whose layout is that of the page before; null where nothing did.
+   * @param {View} view
+   * @returns {View | null}
+   */
+  before(view) {
+    const key = viewKey(view.state);
+    if (this.former.key !== key) {
+      const entries = this.data.entries.map((entry) => (entry === view.entry ? withoutLate(entry) : entry));
+      this.former = { key, view: hasLate(view.entry) ? viewOf({ ...this.data, entries }, view.state) : null };
+    }
+    return this.former.view;
   }
 
   /**
@@ -78,7 +95,7 @@ export class Director {
     const shown = this.view(state, extent);
     const view = this.whole(shown);
     if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded), shown);
-    return this.stage(view, await this.opened(view, extent), shown);
+    return this.stage(view, await this.opened(this.before(view) ?? view, extent), shown);
   }
 
   /**
@@ -133,10 +150,19 @@ export class Director {
     return scene;
   }
 
+  /** @param {View} view @param {Level} whole @param {Set<string>} open @returns {Promise<Map<string, Placed>>} */
+  async laidOut(view, whole, open) {
+    const fresh = (/** @type {Level} */ level) => layOut(this.engine, level, this.measure, this.cache, this.aspect);
+    const former = this.before(view);
+    if (!former) return fresh(whole);
+    const before = levelsOf(former, open, this.measure);
+    return grown(whole, before, await fresh(before), fresh, (box) => turnOf(view.entry, box.id), this.measure);
+  }
+
   /** @param {View} view that is laid out @param {Set<string>} open @param {View} [shown] what of it is seen @returns {Promise<Scene>} */
   async stage(view, open, shown = view) {
     const whole = levelsOf(view, open, this.measure);
-    const placed = await layOut(this.engine, whole, this.measure, this.cache, this.aspect);
+    const placed = await this.laidOut(view, whole, open);
     const root = shown === view ? whole : masked(whole, shown, this.measure);
     return { view: shown, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
   }

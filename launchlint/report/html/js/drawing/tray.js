@@ -1,5 +1,7 @@
 // Nodes that are connected with no other one stand in a tray of their own: between the others they would hide what is connected.
 
+import { hasLate, withoutLate } from "./late.js";
+
 /** @typedef {import("../data").Entry} Entry */
 /** @typedef {import("./types").Group} Group */
 /** @typedef {import("./types").Grouping} Grouping */
@@ -21,20 +23,32 @@ export const trayId = (grouping) => `g:${grouping}:~tray`;
  */
 export function inTray(entry) {
   let found = known.get(entry);
+  if (!found && hasLate(entry)) {
+    // Whether there is a tray is not decided anew for one node more.
+    const before = inTray(withoutLate(entry));
+    const now = before.length ? unconnected(entry) : [];
+    found = now.filter((node) => entry.nodes[node]?.late || before.includes(node));
+    known.set(entry, found);
+  }
   if (!found) {
-    const sides = entry.channels.map(() => ({ offers: new Set(), uses: new Set() }));
-    for (const { channel, offers, node } of entry.connections) sides[channel]?.[offers ? "offers" : "uses"].add(node);
-    const connected = new Set();
-    sides.forEach(({ offers, uses }, at) => {
-      const { hub = true, plumbing = true } = entry.channels[at] ?? {};
-      if (hub || plumbing || !offers.size || !uses.size || (offers.size === 1 && uses.size === 1 && offers.has([...uses][0]))) return;
-      for (const each of [...offers, ...uses]) connected.add(each);
-    });
-    found = entry.nodes.flatMap((node, index) => (connected.has(index) || node.mark ? [] : [index]));
-    if (found.length < FEWEST || found.length === entry.nodes.length) found = [];
+    found = unconnected(entry);
+    if (found.length < FEWEST || found.length === entry.nodes.filter((node) => !node.absent).length) found = [];
     known.set(entry, found);
   }
   return found;
+}
+
+/** Who shares nothing with another node. @param {Entry} entry */
+function unconnected(entry) {
+  const sides = entry.channels.map(() => ({ offers: new Set(), uses: new Set() }));
+  for (const { channel, offers, node } of entry.connections) sides[channel]?.[offers ? "offers" : "uses"].add(node);
+  const connected = new Set();
+  sides.forEach(({ offers, uses }, at) => {
+    const { hub = true, plumbing = true } = entry.channels[at] ?? {};
+    if (hub || plumbing || !offers.size || !uses.size || (offers.size === 1 && uses.size === 1 && offers.has([...uses][0]))) return;
+    for (const each of [...offers, ...uses]) connected.add(each);
+  });
+  return entry.nodes.flatMap((node, index) => (connected.has(index) || node.mark || node.absent ? [] : [index]));
 }
 
 /**

@@ -162,6 +162,9 @@ function finish(own, entry) {
   }
   own.nodes.sort((a, b) => compareNames(entry.nodes[a]?.name ?? "", entry.nodes[b]?.name ?? "") || a - b);
   if (own.kind === "namespace" || own.kind === "root" || own.kind === "package" || own.kind === "machine") own.groups.sort((a, b) => compareNames(a.label, b.label));
+  // What came late splits nothing that was whole.
+  const late = own.nodes.filter((node) => entry.nodes[node]?.late);
+  own.nodes = own.nodes.filter((node) => !entry.nodes[node]?.late);
   if (own.nodes.length > MOST) byFile(own, entry);
   if (own.nodes.length > MOST) {
     const ranges = split(own.nodes).map((nodes) => {
@@ -172,9 +175,12 @@ function finish(own, entry) {
       return range;
     });
     own.nodes = [];
+    ranges[ranges.length - 1]?.nodes.push(...late.splice(0));
     own.groups.push(...ranges);
     ranges.forEach((each) => finish(each, entry));
   }
+  own.nodes.push(...late);
+  tellApart(own.groups, entry);
   const whole = own.groups.filter((each) => each.kind !== "range");
   if (whole.length > MOST) {
     const ranges = split(whole).map((groups) => {
@@ -192,6 +198,27 @@ function finish(own, entry) {
     each.parent = own.id;
     own.count += each.count;
   }
+}
+
+/** Includes of one file, and groups of one name, are told apart by what the names of their nodes begin with, else by their number. @param {Group[]} groups @param {Entry} entry */
+function tellApart(groups, entry) {
+  /** @type {Map<string, Group[]>} */
+  const alike = new Map();
+  for (const each of groups) alike.set(each.label, [...(alike.get(each.label) ?? []), each]);
+  for (const own of alike.values()) {
+    if (own.length < 2) continue;
+    const told = own.map((each) => beginning(Array.from(walk(each), ({ nodes }) => nodes).flat().filter((node) => !entry.nodes[node]?.late).map((node) => entry.nodes[node]?.name ?? "")));
+    const differ = new Set(told).size === own.length && !told.includes("");
+    own.forEach((each, at) => (each.label = `${each.label} · ${differ ? cut(told[at] ?? "", SHORT) : at + 1}`));
+  }
+}
+
+/** What names begin with, up to the end of a word. @param {string[]} names */
+function beginning([first = "", ...others]) {
+  let same = first.length;
+  for (const other of others) while (!other.startsWith(first.slice(0, same))) same--;
+  const shared = first.slice(0, same);
+  return (others.every((other) => other === first) ? shared : shared.replace(/[^/_.-]*$/, "")).replace(/^[/]|[/_.-]+$/g, "");
 }
 
 /**

@@ -37,7 +37,7 @@ export function viewOf(data, state) {
   const home = new Map();
   for (const group of groups.values()) for (const node of group.nodes) home.set(node, group);
 
-  const exists = Uint8Array.from(entry.nodes, (node) => Number(presence.meet(presence.of(node.only, node.mark), now)));
+  const exists = Uint8Array.from(entry.nodes, (node) => Number(!node.absent && presence.meet(presence.of(node.only, node.mark), now)));
   const all = wiresOf(entry, state, presence, now, exists);
   const shown = Uint8Array.from(exists);
   for (const node of hiddenNodes(state, whole)) shown[node] = 0;
