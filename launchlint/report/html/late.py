@@ -1,7 +1,7 @@
 """What is new on a page that is written over a former one, or that compares with a revision: for it nothing else moves.
 
-A node or connection that the former page did not have gets a number, ``late``: the turn in which it came. The page lays out what has none as if
-the rest were not there, and puts the rest where there is room. Where more than a part is new, all of it is laid out afresh.
+A node or connection that the former page did not have gets a number, ``late``: the turn in which it came. The page lays out what has
+none as if the rest were not there, and puts the rest where there is room. Where more than a part is new, all of it is laid out afresh.
 """
 
 from __future__ import annotations

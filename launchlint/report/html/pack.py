@@ -45,6 +45,8 @@ def packed(value: Any) -> str:
     """``value``, plain JSON, in the small form; time and size grow with its size."""
     if isinstance(value, str):
         return _text(value)
+    if type(value) is int:
+        return str(value)
     if isinstance(value, dict):
         return "{" + ",".join(f"{_text(key)}:{packed(item)}" for key, item in value.items()) + "}"
     if not isinstance(value, (list, tuple)):
@@ -55,41 +57,69 @@ def packed(value: Any) -> str:
 
 
 def _table(rows: Sequence[Mapping[str, Any]]) -> str:
-    keys = dict.fromkeys(key for row in rows for key in row)
-    columns = ",".join(f"{_text(key)}:{_column([None if key not in row else packed(row[key]) for row in rows])}" for key in keys)
+    first = rows[0].keys()
+    keys = first if all(row.keys() == first for row in rows) else dict.fromkeys(key for row in rows for key in row)
+    columns = ",".join(f"{_text(key)}:{_column([row.get(key, _MISSING) for row in rows])}" for key in keys)
     return f'{{"$rows":{len(rows)},"columns":{{{columns}}}}}'
 
 
-def _column(cells: Sequence[str | None]) -> str:
-    """A column whose cells are JSON already; None stands for a missing one."""
-    distinct = list(dict.fromkeys(cell for cell in cells if cell is not None))
-    present = [cell for cell in cells if cell is not None]
-    if len(distinct) == 1 and len(present) == len(cells):
-        return f'{{"$all":{distinct[0]}}}'
+_MISSING = object()
+
+
+def _column(cells: Sequence[Any]) -> str:
+    """A column of plain JSON values; :data:`_MISSING` stands for one that is not there."""
+    present = [cell for cell in cells if cell is not _MISSING]
+    are_texts = set(map(type, present)) == {str}
+    # Texts are told apart as they are, everything else as it is written: True is not 1.
+    written = present if are_texts else list(map(_cell, present))
+    distinct = list(dict.fromkeys(written))
+    whole = len(present) == len(cells)
+    if len(distinct) == 1 and whole:
+        return f'{{"$all":{_text(distinct[0]) if are_texts else distinct[0]}}}'
+    list_ = _texts if are_texts else _values
+    if len(distinct) == len(cells):
+        return list_(distinct)
     numbers = {cell: number for number, cell in enumerate(distinct)}
-    at = [-1 if cell is None else numbers[cell] for cell in cells]
-    if len(distinct) < len(DIGITS):
-        indexes = f'"{"".join("." if number < 0 else DIGITS[number] for number in at)}"'
-    else:
-        indexes = f"[{','.join(map(str, at))}]"
-    shared = f'{{"$of":{_list(distinct)},"$at":{indexes}}}'
-    plain = _list(present) if len(present) == len(cells) else ""
-    return plain if plain and len(plain) <= len(shared) else shared
+    following = iter(written)
+    at = [-1 if cell is _MISSING else numbers[next(following)] for cell in cells]
+    is_short = len(distinct) < len(DIGITS)
+    indexes = f'"{"".join("." if number < 0 else DIGITS[number] for number in at)}"' if is_short else f"[{','.join(map(str, at))}]"
+    shared = f'{{"$of":{list_(distinct)},"$at":{indexes}}}'
+    if not whole or 2 * len(distinct) <= len(cells):
+        return shared
+    plain = list_(written)
+    return plain if len(plain) <= len(shared) else shared
 
 
-def _list(cells: Sequence[str]) -> str:
-    """A list of cells; where they are texts that begin alike, without what they have in common with the one before."""
-    plain = f"[{','.join(cells)}]"
-    if len(cells) < 2 or not all(cell.startswith('"') for cell in cells):
+def _cell(value: Any) -> str:
+    """The same as :func:`packed`, quicker for what most cells are: lists without objects in them."""
+    if type(value) is list or type(value) is tuple:
+        if not value:
+            return "[]"
+        if set(map(type, value)) == {int}:
+            return f"[{','.join(map(str, value))}]"
+        text = _json(value)
+        return packed(value) if "{" in text else text
+    return packed(value)
+
+
+def _values(cells: Sequence[str]) -> str:
+    """A list of cells that are JSON already."""
+    return f"[{','.join(cells)}]"
+
+
+def _texts(texts: Sequence[str]) -> str:
+    """A list of texts; where they begin alike, without what each has in common with the one before."""
+    plain = f"[{','.join(map(_text, texts))}]"
+    if len(texts) < 2:
         return plain
     before = ""
-    texts = []
-    for cell in cells:
-        text = json.loads(cell)
-        shared = _common(before, text)
-        texts.append(_text(f"{DIGITS[shared]}{text[shared:]}"))
+    rests = []
+    for text in texts:
+        shared = _common(before, text) if text[:1] == before[:1] else 0
+        rests.append(_text(f"{DIGITS[shared]}{text[shared:]}"))
         before = text
-    front = f'{{"$front":[{",".join(texts)}]}}'
+    front = f'{{"$front":[{",".join(rests)}]}}'
     return front if len(front) < len(plain) else plain
 
 

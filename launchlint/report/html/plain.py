@@ -25,6 +25,7 @@ class Plain:
         pattern = rf"(?<![\w.~/-])(?:{'|'.join(map(re.escape, longest_first))})(?![\w.-])"
         self._roots = re.compile(pattern) if longest_first else None
         self._names: dict[str, str] = {}
+        self._texts: dict[str, str] = {}
 
     def name(self, text: str) -> str:
         """A name on the graph, or a word such as a type: as :func:`visible`, and cut where it is endless."""
@@ -35,9 +36,13 @@ class Plain:
 
     def text(self, text: str) -> str:
         """Words for people, a value or a path."""
-        if self._roots is not None and "/" in text:
-            text = self._roots.sub(lambda match: self._shown[match[0]], text)
-        return visible(_cut(text, LONGEST_TEXT))
+        known = self._texts.get(text)
+        if known is None:
+            shown = text
+            if self._roots is not None and "/" in text:
+                shown = self._roots.sub(lambda match: self._shown[match[0]], text)
+            known = self._texts[text] = visible(_cut(shown, LONGEST_TEXT))
+        return known
 
     def path(self, text: str) -> str:
         """The path of a file."""

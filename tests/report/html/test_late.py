@@ -55,6 +55,7 @@ def test_a_page_somewhere_else_knows_nothing_of_it(launch: Path) -> None:
 
 
 TABLE = '{"files":["main.launch"],"entries":[{"file":0}]}'
+WORD = '{"nodes":[{"name":"/a","late":"x"}],"channels":[],"connections":[]}'
 ROWS = '{"$rows":1000000000,"columns":{"name":{"$all":"/a"}}}'
 
 
@@ -67,7 +68,7 @@ ROWS = '{"$rows":1000000000,"columns":{"name":{"$all":"/a"}}}'
         '<script type="application/json" id="launchlint-data">[]\n1\n</script>',
         f'<script type="application/json" id="launchlint-data">{"[" * 100_000}</script>',
         f'<script type="application/json" id="launchlint-data">{TABLE}\n{{"nodes":{ROWS},"channels":[],"connections":[]}}\n</script>',
-        f'<script type="application/json" id="launchlint-data">{TABLE}\n{{"nodes":[{{"name":"/a","late":"x"}}],"channels":[],"connections":[]}}\n</script>',
+        f'<script type="application/json" id="launchlint-data">{TABLE}\n{WORD}\n</script>',
     ],
     ids=["empty", "other", "half", "list", "deep", "endless", "word"],
 )
