@@ -84,6 +84,12 @@ def find_chromium() -> str | None:
 
 
 @cache
+def find_firefox() -> str | None:
+    """Firefox, of whichever channel."""
+    return shutil.which("firefox-esr") or shutil.which("firefox")
+
+
+@cache
 def find_sarif_multitool() -> str | None:
     """The command of npm's @microsoft/sarif-multitool."""
     return shutil.which(os.environ.get("SARIF_MULTITOOL", "sarif-multitool"))
@@ -157,6 +163,7 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
     "ros": (find_ros_python, "no Python on this machine can import roslaunch (Debian: apt-get install python3-roslaunch)"),
     "docker": (find_docker, "no Docker engine answers"),
     "chromium": (find_chromium, "Chromium is not installed (Debian: apt-get install chromium)"),
+    "firefox": (find_firefox, "Firefox is not installed (Debian: apt-get install firefox-esr)"),
     "pypi": (find_package_index, "pip finds no package index to install from"),
     "npm": (
         find_sarif_multitool,
@@ -186,7 +193,7 @@ SLOW = (
 )  # fmt: skip
 """Folders and files whose tests start processes, or try thousands of texts; a single test elsewhere carries the marker ``slow``."""
 
-PROGRAMS_FOR_OUTPUT = ("chromium", "axe", "node", "mermaid", "npm", "graphviz")
+PROGRAMS_FOR_OUTPUT = ("chromium", "firefox", "axe", "node", "mermaid", "npm", "graphviz")
 """Programs for what launchlint writes: their tests are one lane of the workflow that tests pull requests."""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -155,6 +156,58 @@ def _unknown(directory: Path) -> Path:
     return _written(directory, "robot.launch", "--title", "unknown")
 
 
+ROS2 = """\
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer, LifecycleNode, Node
+from launch_ros.descriptions import ComposableNode
+
+
+def generate_launch_description():
+    eye = ComposableNode(package="vision", plugin="vision::Eye", name="eye", parameters=[{"rate": 30}])
+    return LaunchDescription([
+        Node(package="lidar", executable="driver", name="driver", parameters=[{"frame": "laser"}]),
+        Node(package="mapping", executable="mapper", name="mapper"),
+        LifecycleNode(package="mapping", executable="keeper", name="keeper", namespace=""),
+        ComposableNodeContainer(
+            package="rclcpp_components", executable="component_container", name="box", namespace="", composable_node_descriptions=[eye]
+        ),
+    ])
+"""
+
+
+def _ros2(directory: Path) -> Path:
+    """ROS 2 in Python: two ends whose quality of service keeps them apart, a lifecycle node, a component in a container, params."""
+    directory.mkdir()
+    (directory / "main.launch.py").write_text(ROS2)
+
+    def known(name: str, kind: str, type_: str, **qos: str) -> dict[str, object]:
+        return {kind: [{"name": name, "type": type_, **({"qos": qos} if qos else {})}]}
+
+    def program(class_: str, interface: dict[str, object]) -> dict[str, object]:
+        return {"class": class_, "variants": {"default": interface}}
+
+    scan, map_, image = "sensor_msgs/msg/LaserScan", "nav_msgs/msg/OccupancyGrid", "sensor_msgs/msg/Image"
+    mapping = known("map", "publishers", map_, durability="transient_local")
+    mapper = {**known("scan", "subscribers", scan, reliability="reliable"), **mapping}
+    packages = {
+        "lidar": {
+            "middleware": "ros2",
+            "executables": {"driver": program("rclcpp", known("scan", "publishers", scan, reliability="best_effort"))},
+        },
+        "mapping": {
+            "middleware": "ros2",
+            "executables": {
+                "mapper": program("rclcpp", mapper),
+                "keeper": program("rclcpp", {"lifecycle": True, **known("map", "subscribers", map_)}),
+            },
+        },
+        "vision": {"middleware": "ros2", "components": {"vision::Eye": program("component", known("image", "publishers", image))}},
+        "rclcpp_components": {"middleware": "ros2", "executables": {"component_container": program("container", {})}},
+    }
+    (directory / "library.json").write_text(json.dumps({"format": "launchlint-library", "version": 2, "packages": packages}))
+    return _written(directory, "main.launch.py", "--library", "library.json")
+
+
 MAKERS: dict[str, Callable[[Path], Path]] = {
     "robot": _robot,
     "changed": _changed,
@@ -166,6 +219,7 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "pull": _pull,
     "choices": _choices,
     "copies": _copies,
+    "ros2": _ros2,
 }
 
 

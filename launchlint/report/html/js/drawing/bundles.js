@@ -2,6 +2,7 @@
 
 import { BUNDLE, badgeOf, pillBox } from "./boxes.js";
 import { counted, inLines, shortName } from "./names.js";
+import { clashIn, qosLine } from "./qos.js";
 
 /** @typedef {import("./boxes").Measure} Measure */
 /** @typedef {import("./model").Edge} Edge */
@@ -60,6 +61,7 @@ export class Lines {
       if (presence.conditional(when, now)) classes.push("conditional");
       const badge = badgeOf(this.view, wires.flatMap((wire) => wire.findings));
       if (badge) classes.push(badge.severity);
+      if (wires.some(clashIn)) classes.push("clash");
       const fromPill = from.id.startsWith("w:");
       const isNamed = !fromPill && !(to.id.startsWith("w:") && wires.length === 1) && !this.isNamedInside(from, to, wires);
       return {
@@ -83,7 +85,7 @@ export class Lines {
 export function labelOf(wires, namespace) {
   const kind = wires[0]?.kind ?? "topic";
   const [only, more] = wires;
-  if (only && !more) return inLines(shortName(only.name, namespace, LABEL), BROAD);
+  if (only && !more) return [...inLines(shortName(only.name, namespace, LABEL), BROAD), ...[qosLine(only)].filter(Boolean)];
   return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, BROAD)) : [counted(wires.length, kind)];
 }
 

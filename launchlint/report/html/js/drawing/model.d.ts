@@ -12,6 +12,8 @@ export interface End {
   when: number;
   certain: boolean;
   changed: boolean;
+  /** Of a topic in ROS 2. */
+  qos?: string | undefined;
 }
 
 /** A channel or a shared param, with who gives (data flows from there) and who takes; services and actions flow from clients to servers. */

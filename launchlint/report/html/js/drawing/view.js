@@ -110,7 +110,7 @@ function wiresOf(entry, state, presence, now, exists) {
     if (known) {
       known.when = presence.either(known.when, when);
       known.certain ||= each.certain;
-    } else ends.push({ node: each.node, when, certain: each.certain, changed: each.mark === "changed" });
+    } else ends.push({ node: each.node, when, certain: each.certain, changed: each.mark === "changed", qos: each.qos });
   }
   /** @type {Wire[]} */
   const found = [];

@@ -1,5 +1,6 @@
 /** Why one node hears another, or does not: the path between them, or the names that nearly meet and what keeps them apart. */
 
+import { clashOf } from "../drawing/qos.js";
 import { isIn } from "./model.js";
 
 /** @typedef {import("./model.js").EntryModel} EntryModel */
@@ -131,8 +132,8 @@ function verdict(model, giver, taker, written) {
   if (giver.type && taker.type && giver.type !== taker.type) {
     return { apart: `One name, two types: ${node(giver)} has ${giver.type}, ${node(taker)} wants ${taker.type}.`, edit: "Let both use one type: ROS does not connect them." };
   }
-  const clash = qosClash(giver.qos ?? "", taker.qos ?? "");
-  if (clash) return { apart: `One name, and their QoS does not fit: ${clash}.`, edit: "Let what is offered be at least what is asked for." };
+  const clash = clashOf(giver.qos ?? "", taker.qos ?? "");
+  if (clash) return { apart: `One name, and their QoS does not fit: ${clash[0]} is offered, ${clash[1]} is asked for.`, edit: "Let what is offered be at least what is asked for." };
   const [one, other] = [model.entry.nodes[giver.node], model.entry.nodes[taker.node]];
   const never = !meet(giver, taker) || (one && other && !meet(one, other));
   if (never) {
@@ -176,12 +177,4 @@ function remap(model, taker, name, written) {
   const file = where.replace(/:\d+$/, "");
   const line = file.endsWith(".py") ? `remappings=[("${taker.declared}", "${name}")]` : /\.ya?ml$/.test(file) ? `remap: [{from: "${taker.declared}", to: "${name}"}]` : `<remap from="${taker.declared}" to="${name}"/>`;
   return `At ${where}, in ${node?.name ?? "the node"}: ${line}`;
-}
-
-/** What of two profiles of QoS does not fit; empty where nothing is known to. @param {string} offered @param {string} asked */
-function qosClash(offered, asked) {
-  const says = (/** @type {string} */ qos, /** @type {string} */ word) => qos.split(/[,\s]+/).includes(word);
-  if (says(offered, "best_effort") && says(asked, "reliable")) return "best_effort is offered, reliable is asked for";
-  if (says(offered, "volatile") && says(asked, "transient_local")) return "volatile is offered, transient_local is asked for";
-  return "";
 }
