@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from launchlint.check.fragments import FRAGMENT, told_together
+from launchlint.check import copied_block, fragments
 from launchlint.finding import Finding, Severity
 from launchlint.order import most_severe_first, ordered
 from launchlint.rules.judging.joined import joined, spokesman
@@ -50,8 +50,9 @@ def _of_copies(findings: Iterable[Finding]) -> Iterator[Finding]:
 def _told(findings: Sequence[Finding]) -> Finding:
     """One finding for ``findings``, as the rule of the one that speaks for them says."""
     first = spokesman(findings)
-    if first.cause.startswith(FRAGMENT):
-        return told_together(most_severe_first(findings))
+    for room in (fragments, copied_block):
+        if first.cause.startswith(room.PREFIX):
+            return room.told_together(most_severe_first(findings))
     rule = find(first.rule)
     together: Callable[[Sequence[Finding]], Finding] | None = None if rule is None else getattr(rule.load(), "together", None)
     return joined(findings) if together is None else together(most_severe_first(findings))

@@ -13,7 +13,7 @@ from launchlint.dialects.ros1 import DIALECT as ROS1_DIALECT
 from launchlint.finding import Finding, Related, Severity
 from launchlint.rules.judging.joined import joined
 
-FRAGMENT = "fragment "
+PREFIX = "fragment "
 NOTE = "it is a part for other launch files by its name, and nothing here includes it"
 _MISSING = frozenset(("LL303", "LL401", "LL502"))
 _DIRECTORIES = frozenset(("include", "includes"))
@@ -33,7 +33,7 @@ def judged_by_inclusion(findings: Iterable[Finding], known: Known) -> Iterator[F
             included = _included(known) if included is None else included
             if path not in included:
                 notes = (*finding.notes, NOTE)
-                finding = finding._replace(severity=Severity.WARNING, notes=notes, cause=FRAGMENT + path)
+                finding = finding._replace(severity=Severity.WARNING, notes=notes, cause=PREFIX + path)
         yield finding
 
 

@@ -182,6 +182,9 @@ def together(findings: Sequence[Finding]) -> Finding:
     if broken is not None:
         return led_by(findings, "LL101")
     told = led_by(findings, "LL215")
+    near = next((each.help for each in findings if each.message == findings[0].message and each.help.startswith("did you mean")), "")
+    if near and told.help == _CORRECT:
+        told = told._replace(help=near)
     told = told_as_moved(told, [_named(each) for each in findings if each.rule == RULE.id], "included files")
     portable = next((each for each in findings if each.rule == "LL406"), None)  # the same name, as it is written
     return told if portable is None or told.help != _CORRECT else told._replace(help=portable.help)

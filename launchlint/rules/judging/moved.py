@@ -10,6 +10,8 @@ from launchlint.workspace.looking import exists
 
 _MOVED = "moved "
 _LACKING = "lacking "
+COPIES = "copies "
+"""How the cause of what copies of a launch file each miss begins (see :mod:`launchlint.check.lost_files`)."""
 _MOST_NAMED = 3
 _OF_MANY = {
     "correct the path, or add the file": "correct the paths, or add the files",
@@ -46,7 +48,7 @@ def lacking(path: str) -> str:
 def told_as_moved(told: Finding, files: Sequence[str], what: str) -> Finding:
     """``told``, which speaks for all findings of one cause, with the ``files`` that these are about; ``what`` they are, in words."""
     named = list(dict.fromkeys(files))
-    if not told.cause.startswith((_MOVED, _LACKING)) or len(named) < 2:
+    if not told.cause.startswith((_MOVED, _LACKING, COPIES)) or len(named) < 2:
         return told
     more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""
     return told._replace(
