@@ -50,9 +50,10 @@ def _of_copies(findings: Iterable[Finding]) -> Iterator[Finding]:
 def _told(findings: Sequence[Finding]) -> Finding:
     """One finding for ``findings``, as the rule of the one that speaks for them says."""
     first = spokesman(findings)
-    for room in (fragments, copied_block):
-        if first.cause.startswith(room.PREFIX):
-            return room.told_together(most_severe_first(findings))
+    if first.cause.startswith(fragments.PREFIX):
+        return fragments.told_together(most_severe_first(findings))
+    if first.cause.startswith(copied_block.PREFIX):
+        return copied_block.told_together(most_severe_first(findings))
     rule = find(first.rule)
     together: Callable[[Sequence[Finding]], Finding] | None = None if rule is None else getattr(rule.load(), "together", None)
     return joined(findings) if together is None else together(most_severe_first(findings))

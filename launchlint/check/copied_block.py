@@ -23,6 +23,15 @@ class _Twice(NamedTuple):
     second: int
     node: str = ""
 
+    @property
+    def cause(self) -> str:
+        """The cause that its finding has by itself."""
+        return _cause(self.finding)
+
+    def is_node(self, name: str) -> bool:
+        """Whether it is the node ``name`` that stands twice."""
+        return self.finding.rule == _NODE and self.node == name
+
     def crosses(self, other: _Twice) -> bool:
         """Whether both firsts stand before both seconds: then one block was copied behind itself."""
         return max(self.first, other.first) < min(self.second, other.second)
@@ -36,24 +45,29 @@ def judged_by_block(findings: Iterable[Finding], _: Known) -> Iterator[Finding]:
         twice = _twice(finding)
         if twice is not None:
             files.setdefault(finding.location.path, []).append(twice)
-    causes: dict[int, str] = {}
+    causes: dict[tuple[str, str], str] = {}
     for path, several in files.items():
-        nodes = [each for each in several if each.finding.rule == _NODE]
-        args = [each for each in several if each.finding.rule == _ARG]
-        for node in nodes:
-            same = [arg for arg in args if arg.crosses(node)]
-            same += [param for param in several if param.finding.rule == _PARAM and param.node == node.node and param.crosses(node)]
-            if any(each.finding.rule == _ARG for each in same):  # args of one file have one cause already
-                causes.update((id(each.finding), PREFIX + path) for each in (node, *same, *args))
-            elif same:
-                cause = causes.get(id(node.finding)) or f"{PREFIX}{path} {node.finding.cause or node.node}"
-                causes.update((id(each.finding), cause) for each in (node, *same))
-                if node.finding.cause:
-                    alike = (each for each in nodes if each.finding.cause == node.finding.cause)
-                    causes.update((id(each.finding), cause) for each in alike if id(each.finding) not in causes)
+        for block in _blocks(several):
+            causes.update(((path, each.cause), f"{PREFIX}{path} {block[0].first}") for each in block)
     for finding in told:
-        cause = causes.get(id(finding))
+        cause = causes.get((finding.location.path, _cause(finding)))
         yield finding if cause is None else finding._replace(cause=cause)
+
+
+def _blocks(several: list[_Twice]) -> Iterator[list[_Twice]]:
+    """What of one file stands twice in one block: two or more findings of different causes, in the order of the file."""
+    several.sort(key=lambda each: (each.first, each.second))
+    block: list[_Twice] = []
+    for each in several:
+        if each.finding.rule == _PARAM and not any(other.is_node(each.node) and other.crosses(each) for other in several):
+            continue
+        if block and not any(each.crosses(other) for other in block):
+            if len({other.cause for other in block}) > 1:
+                yield block
+            block = []
+        block.append(each)
+    if len({other.cause for other in block}) > 1:
+        yield block
 
 
 def told_together(findings: Sequence[Finding]) -> Finding:
@@ -67,7 +81,7 @@ def told_together(findings: Sequence[Finding]) -> Finding:
 
     named = ", ".join(nodes[:_MOST_NAMED]) + (f" and {len(nodes) - _MOST_NAMED} more" if len(nodes) > _MOST_NAMED else "")
     said = together(args) if len(args) > 1 else joined(args)
-    return told._replace(message=f"{said.message}; the block stands here twice, with the node{'s' * (len(nodes) > 1)} {named}")
+    return told._replace(message=f"{said.message}; the block stands here twice, with the node{'s' * (len(nodes) > 1)} {named}", fix=None)
 
 
 def _twice(finding: Finding) -> _Twice | None:
@@ -80,3 +94,7 @@ def _twice(finding: Finding) -> _Twice | None:
     if finding.rule == _PARAM:  # told where the value stands that counts for nothing, which is the first
         return _Twice(finding, here.start, other.start, finding.message.partition(" is set to ")[0].rpartition("/")[0])
     return _Twice(finding, other.start, here.start, finding.message.removeprefix(_NAMED))
+
+
+def _cause(finding: Finding) -> str:
+    return finding.cause or repr(finding.key)

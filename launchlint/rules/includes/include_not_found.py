@@ -63,7 +63,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.judging.default_to_correct import correction, has_arg, unchosen
 from launchlint.rules.judging.installed import installed_from
-from launchlint.rules.judging.joined import led_by
+from launchlint.rules.judging.joined import joined, led_by
 from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made, malformed
 from launchlint.rules.judging.moved import lacking, moved, told_as_moved
@@ -182,9 +182,10 @@ def together(findings: Sequence[Finding]) -> Finding:
     if broken is not None:
         return led_by(findings, "LL101")
     told = led_by(findings, "LL215")
-    near = next((each.help for each in findings if each.message == findings[0].message and each.help.startswith("did you mean")), "")
-    if near and told.help == _CORRECT:
-        told = told._replace(help=near)
+    if told.help == _CORRECT:  # the place that shows what was meant speaks for those that do not
+        same = (each for each in findings if each.rule == RULE.id and each.message == findings[0].message)
+        near = next((each for each in same if each.help.startswith("did you mean")), None)
+        told = told if near is None else joined(findings, near)
     told = told_as_moved(told, [_named(each) for each in findings if each.rule == RULE.id], "included files")
     portable = next((each for each in findings if each.rule == "LL406"), None)  # the same name, as it is written
     return told if portable is None or told.help != _CORRECT else told._replace(help=portable.help)

@@ -83,6 +83,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             help=f"did you mean {judged.near}?"
             if judged.near
             else "correct the class, or export it in a plugin description of its package",
+            cause=instance.program,
             fix=_fix(node, view, instance.program, judged.near),
         )
 

@@ -7,8 +7,8 @@ the include whose value it replaces, a `~param` of a group that a node sets agai
 condition. It is an info where an arg chooses the file that is included afterwards: what stands in front of it is for all of these
 files, and the chosen one says what is special.
 
-Two included files that disagree about a parameter are told as an info. The same two values of the same parameter in several files, which
-were copied with the mistake in them, are told as one.
+Two included files that disagree about a parameter are told as an info. Three or more values of one parameter are one finding. The same
+two values of the same parameter in several files, which were copied with the mistake in them, are told as one.
 
 ## Why it matters
 
@@ -56,12 +56,13 @@ _NUMBER = late(r"\d+")
 def check(view: LaunchView) -> Iterator[Finding]:
     """Compare each setting with the one before it of the same name."""
     launch = view.launch
+    values: dict[tuple[str, object], str] = {}
     launch_files = {id(launch.entry)} | {id(include.source) for include in launch.includes if include.source is not None}
     for again in set_again(launch):
         if is_same(again.old, again.new):
             continue
         if again.settings is None:
-            yield _finding(again, Severity.WARNING)
+            yield _of_many(again, _finding(again, Severity.WARNING), values)
             continue
         if id(again.first.place.source) not in launch_files or _is_from_file(again.first, view):
             continue  # a YAML file: what comes after it is meant to override it
@@ -74,7 +75,14 @@ def check(view: LaunchView) -> Iterator[Finding]:
             earlier, later = again.settings
             if earlier.tag == "rosparam" and later.node is not None:
                 found = found._replace(notes=("in a node, <param> counts over <rosparam>, whichever comes first",))
-            yield found
+            yield _of_many(again, found, values)
+
+
+def _of_many(again: SetAgain, found: Finding, values: dict[tuple[str, object], str]) -> Finding:
+    """``found``, of one cause with the one about the value before it, where a parameter has three or more in one launch."""
+    cause = values.setdefault((again.name, again.first.place.key), found.cause)
+    values[again.name, again.second.place.key] = cause
+    return found._replace(cause=cause)
 
 
 def _is_from_file(origin: Origin, view: LaunchView) -> bool:
