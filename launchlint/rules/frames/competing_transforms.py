@@ -37,6 +37,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.rules.judging.joined import joined
@@ -57,6 +58,8 @@ def check(view: GraphView) -> Iterator[Finding]:
         return
     known: dict[tuple[str, str], list[Published]] = {}
     for each in published(graph):
+        if UNKNOWN_NAMESPACE in each.instance.name:  # what it would publish once that is mended is a guess
+            continue
         if each.certain and not each.instance.node.is_test and each.instance.node.knows("arguments", "namespace", "name"):
             known.setdefault((each.topic, each.child), []).append(each)
     pairs: dict[tuple[object, ...], list[tuple[Published, Published]]] = {}
