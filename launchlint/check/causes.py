@@ -24,10 +24,10 @@ def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     result: list[Finding] = []
     alike: dict[str | tuple[str, ...], list[Finding]] = {}
     for finding in ordered(findings):
-        if not finding.cause and finding.severity is not Severity.ERROR:
+        if not finding.cause and finding.severity is Severity.INFO:
             result.append(finding)
             continue
-        cause = finding.cause or (finding.rule, finding.location.path, finding.message, finding.help)
+        cause = finding.cause or (finding.rule, finding.severity.word, finding.location.path, finding.message, finding.help)
         alike.setdefault(cause, []).append(finding)
     if not alike:
         return tuple(result)

@@ -13,6 +13,7 @@ PREFIX = "block "
 _ARG, _NODE, _PARAM = "LL203", "LL301", "LL504"
 _NAMED = "two nodes are named "
 _MOST_NAMED = 3
+_EACH = "remove one of each two, or give it a name of its own"
 
 
 class _Twice(NamedTuple):
@@ -71,17 +72,22 @@ def _blocks(several: list[_Twice]) -> Iterator[list[_Twice]]:
 
 
 def told_together(findings: Sequence[Finding]) -> Finding:
-    """One for a block: the args that are declared twice, else the nodes of one name; how many nodes stand there twice."""
+    """One for a block: the args that are declared twice, or else the nodes of one name each, by their names."""
     args = [each for each in findings if each.rule == _ARG]
     told = led_by(findings, _ARG, _NODE)
     nodes = list(dict.fromkeys(each.message.removeprefix(_NAMED) for each in findings if each.message.startswith(_NAMED)))
-    if not args or not nodes:
-        return told
-    from launchlint.rules.args.arg_redeclared import together
-
     named = ", ".join(nodes[:_MOST_NAMED]) + (f" and {len(nodes) - _MOST_NAMED} more" if len(nodes) > _MOST_NAMED else "")
-    said = together(args) if len(args) > 1 else joined(args)
-    return told._replace(message=f"{said.message}; the block stands here twice, with the node{'s' * (len(nodes) > 1)} {named}", fix=None)
+    if args and nodes:
+        from launchlint.rules.args.arg_redeclared import together
+
+        said = together(args) if len(args) > 1 else joined(args)
+        message = f"{said.message}; the block stands here twice, with the node{'s' * (len(nodes) > 1)} {named}"
+        return told._replace(message=message, fix=None)
+    if len(nodes) < 2:
+        return told
+    alike = len({each.help for each in findings if each.rule == _NODE}) == 1
+    message = f"{len(nodes)} names are given to two nodes each: {named}"
+    return told._replace(message=message) if alike else told._replace(message=message, help=_EACH, fix=None)
 
 
 def _twice(finding: Finding) -> _Twice | None:

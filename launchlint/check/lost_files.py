@@ -7,17 +7,19 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Callable, Iterable, Iterator
+from itertools import combinations
 
 from launchlint.check.fragments import PREFIX as FRAGMENT
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
-from launchlint.rules.judging.moved import COPIES
+from launchlint.rules.judging.moved import COPIES, same_directory
 
 _LOSSES = frozenset(("LL401", "LL411", "LL502"))
 _WITH_PATH = frozenset(("LL401", "LL411"))
 """Those whose message tells the whole path."""
 _PACKAGE = late(r"\$\(find [^()]*\)")
+_MOST_COMPARED = 200
 _DID_YOU_MEAN = "did you mean"
 
 
@@ -39,6 +41,10 @@ def judged_by_loss(findings: Iterable[Finding], _: Known) -> Iterator[Finding]:
             other = _first(told[at].cause, joined)
             if other != first:
                 joined[other] = first
+    causes = sorted({told[at].cause for at in lost})
+    for one, other in combinations(causes[:_MOST_COMPARED], 2):
+        if same_directory(one, other) and _first(one, joined) != _first(other, joined):
+            joined[_first(other, joined)] = _first(one, joined)
     alike = {*joined, *joined.values()}
     for finding in told:
         yield finding._replace(cause=f"{COPIES}{_first(finding.cause, joined)}") if finding.cause in alike else finding

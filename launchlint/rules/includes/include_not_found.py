@@ -186,7 +186,7 @@ def together(findings: Sequence[Finding]) -> Finding:
         same = (each for each in findings if each.rule == RULE.id and each.message == findings[0].message)
         near = next((each for each in same if each.help.startswith("did you mean")), None)
         told = told if near is None else joined(findings, near)
-    told = told_as_moved(told, [_named(each) for each in findings if each.rule == RULE.id], "included files")
+    told = told_as_moved(told, findings, [_named(each) for each in findings if each.rule == RULE.id], "included files")
     portable = next((each for each in findings if each.rule == "LL406"), None)  # the same name, as it is written
     return told if portable is None or told.help != _CORRECT else told._replace(help=portable.help)
 

@@ -219,7 +219,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
 def together(findings: Sequence[Finding]) -> Finding:
     """What is missing for one reason, by the names of the files."""
     files = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
-    return told_as_moved(joined(findings), files, "files")
+    return told_as_moved(joined(findings), findings, files, "files")
 
 
 def _hangs_on_environment(origin: Origin, view: LaunchView) -> bool:

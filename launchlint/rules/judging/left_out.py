@@ -79,7 +79,7 @@ def _tries(inside: str) -> bool:
 
 def is_copy(home: Package, packages: Packages) -> bool:
     """Whether ``home`` is a public package in a workspace of others: it was released (whence its list of changes), most packages there are
-    not public, and at most a few, which came with it, have its people.
+    not public, and at most a few, which came with it, have its people; or several are not public, and none of these has its people.
     """
     if home.name not in public_names() or home.manifest is None or not is_file(posixpath.join(home.directory, CHANGES)):
         return False
@@ -97,7 +97,7 @@ def is_copy(home: Package, packages: Packages) -> bool:
                 theirs += 1
             else:
                 own += 1
-    return own > public and own >= _MUCH_MORE * theirs
+    return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
 
 
 def kept_whole(home: Package, packages: Packages) -> str:

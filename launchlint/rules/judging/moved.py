@@ -12,7 +12,9 @@ _MOVED = "moved "
 _LACKING = "lacking "
 COPIES = "copies "
 """How the cause of what copies of a launch file each miss begins (see :mod:`launchlint.check.lost_files`)."""
+_MISSING = "missing "
 _MOST_NAMED = 3
+_THE_OTHERS = "correct the other names, or add the files"
 _OF_MANY = {
     "correct the path, or add the file": "correct the paths, or add the files",
     "correct the name, or create the file": "correct the names, or create the files",
@@ -45,13 +47,27 @@ def lacking(path: str) -> str:
     return f"{_LACKING}{directory} *{posixpath.splitext(name)[1]}" if exists(directory) and not exists(path) else ""
 
 
-def told_as_moved(told: Finding, files: Sequence[str], what: str) -> Finding:
-    """``told``, which speaks for all findings of one cause, with the ``files`` that these are about; ``what`` they are, in words."""
+def told_as_moved(told: Finding, findings: Sequence[Finding], files: Sequence[str], what: str) -> Finding:
+    """``told``, which speaks for all ``findings`` of one cause, with the ``files`` that these are about; ``what`` they are, in words."""
     named = list(dict.fromkeys(files))
     if not told.cause.startswith((_MOVED, _LACKING, COPIES)) or len(named) < 2:
         return told
     more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""
+    advice = _OF_MANY.get(told.help, told.help)
+    if told.help.endswith("?"):
+        alike = all(each.help.endswith("?") for each in findings if each.rule == told.rule)
+        advice = f"{told.help.removesuffix('?')}, and so for the others?" if alike else f"{told.help} {_THE_OTHERS}"
     return told._replace(
         message=f"{len(named)} {what} do not exist: {', '.join(named[:_MOST_NAMED])}{more}",
-        help=f"{told.help.removesuffix('?')}, and so for the others?" if told.help.endswith("?") else _OF_MANY.get(told.help, told.help),
+        help=advice,
     )
+
+
+def same_directory(one: str, other: str) -> bool:
+    """Whether the causes ``one`` and ``other`` are about one directory that is not here, of which some files lie elsewhere."""
+    if not one.startswith(_MOVED):
+        one, other = other, one
+    directory, outermost = one.removeprefix(_MOVED), other.removeprefix(_MISSING)
+    if not one.startswith(_MOVED) or not other.startswith(_MISSING):
+        return False
+    return f"{directory}/".startswith(f"{outermost}/") and not exists(outermost)

@@ -5,7 +5,8 @@ worked out and with the conditions as they are. Nodes that exclude each other by
 belongs to roscore, whose own file `roscore.xml` may start it. Where the names meet only when an arg has another value than its default
 and no launch file here gives it that one, it is a warning; an info, if another arg can switch off one of the two: nodes behind switches of
 their own (`if="$(arg real)"`, `if="$(arg simulation)"`) are alternatives. What two includes of one file, or one such value, bring about is
-told once. In ROS 2 it is a warning: launch itself warns, and starts them all.
+told once, and so is a node of a file whose name several of those that include it use again, and a block of nodes that stands twice. In
+ROS 2 it is a warning: launch itself warns, and starts them all.
 
 ## Why it matters
 
@@ -125,11 +126,13 @@ def _own_switches(first: Node, second: Node, view: LaunchView) -> list[str]:
 
 
 def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
-    """What all nodes that meet share: the args that are tried, or else the two includes that they come from, or the name."""
+    """What all nodes that meet share: the args that are tried, the node of an included file whose name others use, or else the two includes
+    that they come from, or the name.
+    """
     if tried:
         return f"{view.launch.entry.path} {tried}"
     if not second.origin.chain and first.origin.chain:
-        return ""
+        return f"included {first.origin.place.key}"
     if first.origin.chain == second.origin.chain and first.origin.place.source is second.origin.place.source:
         return f"{[each.key for each in (first.origin.place, *first.origin.chain)]} {second.origin.place.source.path}"
     ways = (place.key for node in (first, second) for place in node.origin.chain)

@@ -168,7 +168,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
 def together(findings: Sequence[Finding]) -> Finding:
     """One for all: text that was meant to be replaced is told before the names of files that have it."""
     names = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
-    return told_as_moved(led_by(findings, "LL215"), names, "files")
+    return told_as_moved(led_by(findings, "LL215"), findings, names, "files")
 
 
 def _is_built(file: str, view: LaunchView) -> bool:
