@@ -19,7 +19,8 @@ from launchlint.rules.registry import find
 def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """``findings`` in report order; one for all of one :attr:`Finding.cause`, with the places of the others.
 
-    Mistakes of which a rule says the very same in one file are one, too: people make them in one go.
+    Mistakes of which a rule says the very same in one file are one, too: people make them in one go. So are those of which it says the same
+    where the same is written: one was copied.
     """
     result: list[Finding] = []
     alike: dict[str | tuple[str, ...], list[Finding]] = {}
@@ -31,9 +32,20 @@ def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
         alike.setdefault(cause, []).append(finding)
     if not alike:
         return tuple(result)
-    joint = [_told(group) for group in alike.values() if len(group) > 1]
-    alone = [group[0] for group in alike.values() if len(group) == 1]
+    groups = _with_copies(alike.values())
+    joint = [_told(group) for group in groups if len(group) > 1]
+    alone = [group[0] for group in groups if len(group) == 1]
     return tuple(ordered([*result, *alone, *_of_copies(joint)]))
+
+
+def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
+    """``groups`` of one cause each; those together whose rule says the same words of the same text: it was copied to other files."""
+    found: dict[object, list[Finding]] = {}
+    for group in groups:
+        first = spokesman(group)
+        same = first.element and (first.rule, first.severity, first.message, first.help, first.element)
+        found.setdefault(same or id(group), []).extend(group)
+    return list(found.values())
 
 
 def _of_copies(findings: Iterable[Finding]) -> Iterator[Finding]:

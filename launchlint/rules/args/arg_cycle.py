@@ -36,16 +36,20 @@ else.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import UndeclaredArg, UsedBeforeDeclaration
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, fix, move_before, spot
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.ros2_args import declared_below
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
 
+_ITSELF = " from itself"
+_MOST_NAMED = 6
 RULE = Rule("LL205", "arg-cycle", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
@@ -74,8 +78,18 @@ def tell(problem: UsedBeforeDeclaration | UndeclaredArg, view: LaunchView) -> It
         related=related,
         notes=("roslaunch reads from top to bottom and stops here",),
         help=advice,
+        topic=name,
+        cause=f"{problem.place.source.path}{_ITSELF}" if len(cycle) == 1 else "",
         fix=None if cycle else _fix(problem, view),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """The args of one file that are made from themselves, by their names."""
+    told, names = joined(findings), list(dict.fromkeys(each.topic for each in findings))
+    if len(names) < 2 or not told.cause.endswith(_ITSELF):
+        return told
+    return told._replace(message=f"{listed(names, _MOST_NAMED)} are made from themselves")
 
 
 def _too_early(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:

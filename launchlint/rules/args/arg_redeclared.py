@@ -69,7 +69,7 @@ def tell(problem: ArgRedeclared, view: object) -> Iterator[Finding]:
 
 def together(findings: Sequence[Finding]) -> Finding:
     """The args that one file declares twice, by their names."""
-    told, names = joined(findings), list(dict.fromkeys(each.topic for each in findings))
+    told, names = joined(findings), list(dict.fromkeys(each.topic.rpartition(":")[2] for each in findings))
     return told if len(names) < 2 else told._replace(message=f"{listed(names, _MOST_NAMED)} are declared twice")
 
 

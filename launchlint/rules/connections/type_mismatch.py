@@ -45,6 +45,7 @@ from collections.abc import Callable, Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
+from launchlint.late import late
 from launchlint.model import ROS2
 from launchlint.rules.judging.name_places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.same_definition import is_known, may_be_alike, may_be_copies
@@ -53,6 +54,8 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL611", "type-mismatch", Severity.ERROR)
+_NUMBER = late(r"\d+")
+"""Programs and names for each of several robots are told together."""
 _WHAT_HAPPENS_2 = {
     "topic": "in ROS 2 ends of different types do not find each other: no message ever arrives",
     "service": "in ROS 2 ends of different types do not find each other: the client waits for the service for ever",
@@ -126,6 +129,7 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners, al
         notes=tuple(notes),
         help="give one of the two another name, or put a node between them that converts",
         topic=f"{channel.kind} {channel.name} {offer.type} {use.type}",
-        cause=f"{giver.program} {taker.program} {channel.kind} {channel.name.rpartition('/')[2]} {offer.type} {use.type}",
+        cause=_NUMBER.sub("#", f"{giver.program} {taker.program} {channel.kind} {channel.name.rpartition('/')[2]}")
+        + f" {offer.type} {use.type}",
     )
     return with_sources(found, acting, other)

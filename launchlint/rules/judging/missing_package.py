@@ -24,6 +24,8 @@ from launchlint.workspace.place import Hidden
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.source_lists import GITMODULES
 
+_SHORT = 2
+"""Letters of a word that another letter makes another word of: abbreviations."""
 SHORTEST_SLIP = 6
 """Below this many letters most names are one slip away from some other name."""
 LETTERS_FOR_A_SLIP = 8
@@ -240,9 +242,16 @@ def _one_slip(name: str, names: Sequence[str]) -> str | None:
     alike = ((other, folded(other)) for other in names if abs(len(other) - len(name)) <= 1)
     similar = [other for other, bare in alike if bare.startswith(start) or bare.endswith(end)]
     slip = one_slip(name, similar)
-    if slip is None or slip.rstrip("s") == name.rstrip("s"):
+    if slip is None or slip.rstrip("s") == name.rstrip("s") or _differ_in_a_short_word(name, slip):
         return None
     return slip
+
+
+def _differ_in_a_short_word(name: str, other: str) -> bool:
+    """Whether one word of two letters at most stands where the other name has another one: ``velodyne_hl``, ``velodyne_ll``."""
+    words, others = name.split("_"), other.split("_")
+    different = [(one, two) for one, two in zip(words, others, strict=False) if one != two]
+    return len(words) == len(others) and any(max(len(one), len(two)) <= _SHORT for one, two in different)
 
 
 def _near(name: str, names: Iterable[str]) -> str | None:

@@ -130,7 +130,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         same = same_letters(name, known.names) or same_letters(name, scripts)
         if same in scripts:
             same = f"{same}, which lacks the executable bit"
-        near = same or slip or closest(name, known.names)
+        near = same or slip or closest(name, [other for other in known.names if not other.endswith("~")])
         some = _some(known.programs)
         notes = [f"it has: {some}" if some else "it has no executables at all"]
         line = commented_out(package.directory, package.name, name)
@@ -272,6 +272,7 @@ def _fix(node: Node, view: GraphView, slip: str) -> Fix | None:
 
 def _slip(name: str, names: list[str]) -> str | None:
     """The one executable that ``name`` is a slip for; ``drive1`` and ``drive2`` are neighbours, not slips."""
+    names = [other for other in names if not other.endswith("~")]  # what an editor left behind is not what was meant
     stem = name.removesuffix(".py")
     for other in names:
         if other != name and other.removesuffix(".py") == stem:
