@@ -15,6 +15,9 @@ from launchlint.order import most_severe_first, ordered
 from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.registry import find
 
+_SHORTEST_LINE = 40
+"""Characters of a line that two people would not write alike by chance."""
+
 
 def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """``findings`` in report order; one for all of one :attr:`Finding.cause`, with the places of the others.
@@ -39,12 +42,13 @@ def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
 
 
 def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
-    """``groups`` of one cause each; those together whose rule says the same words of the same text: it was copied to other files."""
+    """``groups`` of one cause each; those together whose rule says the same words of the same line: it was copied to other files."""
     found: dict[object, list[Finding]] = {}
     for group in groups:
         first = spokesman(group)
-        same = first.element and (first.rule, first.severity, first.message, first.help, first.element)
-        found.setdefault(same or id(group), []).extend(group)
+        line = first.location.text.strip()
+        same = (first.rule, first.severity, first.message, first.help, line) if len(line) >= _SHORTEST_LINE else id(group)
+        found.setdefault(same, []).extend(group)
     return list(found.values())
 
 
