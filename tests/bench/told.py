@@ -88,7 +88,7 @@ def main() -> int:
     parser.add_argument("--shown", type=int, default=10, help="repositories to print whose launch files take most (default: 10)")
     arguments = parser.parse_args()
     repositories = [str(path) for path in sorted(arguments.directory.resolve().iterdir()) if path.is_dir()]
-    with multiprocessing.get_context("spawn").Pool(1, maxtasksperchild=1) as pool:
+    with multiprocessing.get_context("fork").Pool(1, maxtasksperchild=1) as pool:
         results = pool.map(check, repositories, chunksize=1)
     print(tables(results))
     costs = sorted(((each.seconds / each.files, each) for each in results if each.files), key=lambda pair: -pair[0])

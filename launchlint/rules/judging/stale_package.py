@@ -10,6 +10,7 @@ from typing import NamedTuple
 from launchlint.late import late
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT
 from launchlint.rules.judging.package_contents import contents
+from launchlint.spelling import folded
 from launchlint.syntax.ros1.substitutions import parse_again
 from launchlint.workspace.looking import content, exists, is_file, names
 from launchlint.workspace.package import Package
@@ -25,7 +26,6 @@ _STARTED = late(r"<(?:node|test)\s[^<>]{1,2000}>")
 _PKG = late(r"\spkg\s*=\s*[\"']([^\"']*)[\"']")
 _TYPE = late(r"\stype\s*=\s*[\"']([^\"'$]*)[\"']")
 _BEHIND = late(r"/([\w.+/-]+)(\$?)")
-_ANYBODYS = frozenset("all base bringup config default demo display gazebo launch main robot rviz run sim simulation start test".split())
 
 
 def own_instead(name: str, text: str, packages: Packages, near: str) -> Package | None:
@@ -33,7 +33,7 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
 
     A public package may well have files of the same names: then the own package must bear its name, and more (``camera_driver`` for
     ``camera``), and hold a program that is asked for, too. ``None`` where the package is here or declared, where nothing is asked of it
-    that can be told, where it is one file of a name that many packages have (``test.launch``) and the two names have no word in common, and
+    that can be told, where it is one file only and the two names have no word in common, and
     where the file would include itself: it stands before one of the same name.
     """
     home = packages.package_of(near)
@@ -51,16 +51,11 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
         return None
     if not all(exists(posixpath.join(home.directory, file)) for file, _ in found):
         return None
-    if len(found) == 1 and not started and _says_nothing(found[0][0]) and set(name.split("_")).isdisjoint(home.name.split("_")):
+    if len(found) == 1 and not started and set(folded(name).split("_")).isdisjoint(folded(home.name).split("_")):
         return None
     programs = contents(packages).executables(home).names if started else []
     types = [_TYPE.search(tag) for tag in started]
     return home if all(each is not None and each[1] in programs for each in types) else None
-
-
-def _says_nothing(file: str) -> bool:
-    """Whether files of many packages are called so."""
-    return posixpath.basename(file).partition(".")[0].lower() in _ANYBODYS
 
 
 def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[str, ...]:
