@@ -254,9 +254,15 @@ class OpenWorkspace:
 
         def so_far(result: EntryResult) -> None:
             before = self._results.get(request)
-            if first is not None and before is not None:
-                self._results[request] = self._with_others(result, before, self._seen_text.get(request, ""))
-                first()
+            if first is None:
+                return
+            interim = result if before is None else self._with_others(result, before, self._seen_text.get(request, ""))
+            self._results[request] = interim
+            self._seen_text[request] = self._text(request)
+            self._reach.put(request, interim)
+            if before is None:
+                self._whole = None
+            first()
 
         with self._looking():
             understood = self.checker.understand(request, so_far)

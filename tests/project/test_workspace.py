@@ -237,3 +237,15 @@ def test_what_the_given_configuration_shows_is_told_before_the_others_have_been_
 
 def places(findings: list[Finding]) -> list[tuple[str, int, int]]:
     return [(each.rule, each.location.line, each.location.start) for each in findings]
+
+
+def test_a_file_that_is_opened_is_told_of_before_its_other_configurations_have_been_looked_at(tmp_path: Path) -> None:
+    make(tmp_path)
+    workspace = OpenWorkspace(str(tmp_path))
+    main = str(tmp_path / "launch" / "main.launch")
+    (request,) = [each for each in workspace.waiting([main]) if each.at == main]
+    interim: list[list[tuple[str, int, int]]] = []
+    workspace.work(request, lambda: interim.append(places(list(workspace.outcome([main]).findings))))
+    (found,) = interim
+    assert {rule for rule, _, _ in found} == {"LL206", "LL301"}
+    assert places(list(workspace.outcome([main]).findings)) == found
