@@ -82,6 +82,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
             summary.needs_caller,
             summary.undeclared_args,
             summary.calls,
+            summary.launcher,
         ],
         result.configurations,
         result.outcome,
@@ -101,7 +102,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, configurations, outcome, sight = value
     word, rule, reason, missing, elsewhere, launcher = outcome
-    entry, refused, included, calls, roots, needs, undeclared, passing = summary
+    entry, refused, included, calls, roots, needs, undeclared, passing, starter = summary
     return EntryResult(
         request,
         path,
@@ -120,6 +121,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             needs,
             undeclared,
             tuple((path, tuple((name, text) for name, text in passed)) for path, passed in passing),
+            starter,
         ),
         configurations,
         outcome=Verdict(word, rule, reason, tuple(missing), tuple(_refusal_from_json(each) for each in elsewhere), launcher),

@@ -364,7 +364,8 @@ class EntryChecker:
         needs_caller = bool(reasons & ALONE_KINDS) and not request.declared
         lacks = needs_caller and bool(reasons & (ALONE_KINDS - {RequiredArgUnset}))
         calls = tuple(_broken_calls(launch.problems))
-        summary = EntrySummary(path, refused is not None, included, calls, roots, needs_caller, lacks, tuple(_calls(launch)))
+        launcher = named(launch.dialect).launcher
+        summary = EntrySummary(path, refused is not None, included, calls, roots, needs_caller, lacks, tuple(_calls(launch)), launcher)
         return EntryResult(
             request,
             path,

@@ -12,13 +12,13 @@ from launchlint.problem import Problem
 from launchlint.rules.registry import Entry, speaking_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import FileView, LaunchView
-from launchlint.syntax.tree import Element
+from launchlint.source import Place, Source, Span
+from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.other_ros import left_over
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.model import DialectName
-    from launchlint.source import Source
     from launchlint.suppression import Suppression
     from launchlint.workspace.packages import Packages
 
@@ -79,8 +79,18 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
         from launchlint.suppression import read
 
         suppressions = tuple(read(document.source, view.dialect.remarks(document)))
-    root = None if document.root is None else Location.of(document.place(document.root.name_span))
-    return FileResult(document.source.path, tuple(findings), suppressions, root, dialect=view.dialect.name)
+    return FileResult(document.source.path, tuple(findings), suppressions, _root(document), dialect=view.dialect.name)
+
+
+def _root(document: Document) -> Location | None:
+    """Where to point at a file as a whole: its document element, or the first line of what it describes."""
+    if document.root is not None:
+        return Location.of(document.place(document.root.name_span))
+    if document.description is None:
+        return None
+    source, (start, end) = document.description.place
+    line_end = source.text.find("\n", start)
+    return Location.of(Place(source, Span(start, min(end, line_end) if line_end >= 0 else end)))
 
 
 def is_left_over(dialect: DialectName, file: str, packages: Packages) -> bool:

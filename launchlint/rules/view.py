@@ -216,7 +216,7 @@ class EntrySummary(NamedTuple):
 
     ``needs_caller``: it does not load alone, because args are missing that an including file or the command line would give;
     ``undeclared_args``: it reads args that it does not even declare. ``calls`` are its includes as it is started without args: the path
-    of the included file, and the args that are passed with a value that is known.
+    of the included file, and the args that are passed with a value that is known. ``launcher`` starts it.
     """
 
     path: str
@@ -227,6 +227,7 @@ class EntrySummary(NamedTuple):
     needs_caller: bool = False
     undeclared_args: bool = False
     calls: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = ()
+    launcher: str = "roslaunch"
 
 
 class RunView(NamedTuple):

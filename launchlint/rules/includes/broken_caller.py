@@ -84,12 +84,14 @@ def check(view: RunView) -> Iterator[Finding]:
     roots: dict[str, Location] = {}
     calls: dict[tuple[str, str, bool], dict[tuple[str, int], Location]] = {}
     known: dict[str, tuple[str, ...]] = {}
+    launchers: dict[str, str] = {}
     included = {path for entry in view.entries for path in entry.included if path != entry.path}
     for entry in view.entries:
         roots.update(entry.roots)
         if entry.needs_caller and entry.path in included:
             continue  # what it lacks when started alone, its callers give
         for call in entry.broken_calls:
+            launchers[call.target] = entry.launcher
             known[call.target] = known.get(call.target) or call.known
             calls.setdefault((call.target, call.name, call.missing), {})[call.location.path, call.location.start] = call.location
     for (target, name, missing), callers in sorted(calls.items()):
@@ -108,7 +110,7 @@ def check(view: RunView) -> Iterator[Finding]:
             f"{len(places)} includes of this file {wrong}",
             label="this file",
             related=tuple(Related(place, "breaks here") for place in places[:_MOST_SHOWN]),
-            notes=(*more, "roslaunch refuses each of the launch files that hold them"),
+            notes=(*more, f"{launchers[target]} refuses each of the launch files that hold them"),
             help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing {it} there",
             element=f"{target} {name}",
             topic=f"{name}{_MISSING if missing else ' undeclared'}",

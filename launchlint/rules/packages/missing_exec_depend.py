@@ -121,6 +121,7 @@ MOST_NAMED = 12
 _COPIES = 3
 """Packages that lack the same of which nobody wants to read one by one."""
 _THAT_ITS = "that its"
+BUILT_ONLY = "for building only"
 TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
 _LATER = "once {} {} what {} own launch files use, to declare {} here would close a ring"
@@ -190,8 +191,11 @@ def check(view: FileView) -> Iterator[Finding]:
             continue
         manifest_path = shown(home.manifest_path, root_of(document.source))
         tested = name in home.test_dependencies
-        says = f"declares {name} for tests only" if tested else f"does not declare {name}"
-        at = next((each.span for each in manifest.dependencies if each.name == name and each.tag == "test_depend"), None)
+        tags = ("test_depend",) if tested else ("build_depend", "buildtool_depend")
+        written = [each for each in manifest.dependencies if each.name == name and each.tag in tags]
+        at = written[0].span if written else None
+        only = "for tests only" if tested else BUILT_ONLY if written else ""
+        says = f"declares {name} {only}" if only else f"does not declare {name}"
         line = _line(name, manifest.format, is_test=is_test)
         way = None if tested else ways.get(name)
         closes = way is not None and (way.built or is_test or ros2)
@@ -200,9 +204,9 @@ def check(view: FileView) -> Iterator[Finding]:
         tried = not (tested or reason) and is_trial(file, home)
         yield RULE.at(
             place if at is None else place._replace(span=at),
-            f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
+            f"{manifest_path} {says}, {'and' if only else 'which'} {document.source.path} {how} {'it' if only else ''}".rstrip(),
             severity=Severity.INFO if beside or reason or tried or manifest.format == 0 else RULE.severity,
-            label="for tests only" if tested else f"no {name} here",
+            label=only or f"no {name} here",
             related=((where, "used here"),),
             notes=(
                 f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),
@@ -313,8 +317,9 @@ def together(findings: Sequence[Finding]) -> Finding:
         added = [finding.topic for finding in findings if finding.fix in fixes]
         message = f"add {len(fixes)} dependencies" if len(fixes) == len(findings) else f"add {listed(added, MOST_NAMED)}, not the others"
         fix = Fix(message, fixes[0].safe, (whole,))
+    lacks = "does not declare for running" if any(finding.label == BUILT_ONLY for finding in findings) else "does not declare"
     return first._replace(
-        message=f"{first.location.path} does not declare {len(names)} packages {_THAT_ITS} launch files use: {listed(names, MOST_NAMED)}",
+        message=f"{first.location.path} {lacks} {len(names)} packages {_THAT_ITS} launch files use: {listed(names, MOST_NAMED)}",
         label="not declared here",
         related=tuple(related._replace(label=f"{finding.topic} is used here") for finding in findings for related in finding.related),
         notes=(

@@ -45,6 +45,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView, LaunchView
 from launchlint.syntax.problems import UnreadableFile
 
 RULE = Rule("LL100", "unreadable-file", Severity.ERROR, roslaunch="refuses")
@@ -53,8 +54,8 @@ RULE = Rule("LL100", "unreadable-file", Severity.ERROR, roslaunch="refuses")
 def tell(problem: UnreadableFile, view: object) -> Iterator[Finding]:
     """Say why the file cannot be read."""
     reason = problem.reason
-    notes = (
-        () if problem.refused else ("roslaunch may be able to load it; launchlint does not try, since such files can exhaust a machine",)
-    )
+    launcher = view.dialect.launcher if isinstance(view, (FileView, LaunchView)) else "roslaunch"
+    may = f"{launcher} may be able to load it; launchlint does not try, since such files can exhaust a machine"
+    notes = () if problem.refused else (may,)
     advice = "write it as a plain launch file" if not problem.refused else "correct the path, or make the file readable"
     yield RULE.at(problem.origin, f"this launch file cannot be read: {reason}", notes=notes, help=advice)

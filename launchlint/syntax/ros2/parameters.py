@@ -119,11 +119,11 @@ def typed(parser: Parser, tag: str, value: Value, kind: str | None) -> TypedValu
     kind = None if kind == "yaml" else kind
     if not isinstance(value.plain, list):
         if not isinstance(value.plain, str):
-            return TypedValue(Text((_shown(value.plain),), value.place), kind, _fitting(parser, tag, value.place, value.plain, False, kind))
+            return TypedValue(Text((_shown(value.plain),), value.place), kind, _fitting(parser, tag, value.place, value.plain, kind))
         text = parser.text(value.text)
         if text.literal is None:
             return TypedValue(text, kind)
-        return TypedValue(text, kind, _fitting(parser, tag, value.place, text.literal, False, kind))
+        return TypedValue(text, kind, _fitting(parser, tag, value.place, text.literal, kind))
     texts: list[Text] = []
     plain: list[Scalar | None] = []
     for each, written in zip(value.plain, value.items, strict=True):
@@ -132,22 +132,27 @@ def typed(parser: Parser, tag: str, value: Value, kind: str | None) -> TypedValu
         plain.append(each if written is None else text.literal)
     known = [each for each in plain if each is not None]
     if len({type(each) for each in known}) > 1:
-        expected = "a list of values of one type"
-        parser.problems.append(
-            WrongValue(origin=Origin(value.place), refused=True, tag=tag, attribute="value", value=value.place.text, expected=expected)
-        )
-    else:
-        _fitting(parser, tag, value.place, known, len(known) < len(plain), kind)
-    return TypedValue(tuple(texts), kind, tuple(plain))
+        _misfit(parser, tag, value.place, "a list of values of one type")
+    elif _fits(parser, tag, value.place, known, len(known) < len(plain), kind):
+        return TypedValue(tuple(texts), kind, tuple(plain))
+    as_text = value.place.text
+    return TypedValue(Text((as_text,), value.place), kind, as_text)  # it is told of: whoever evaluates it has nothing to add
 
 
-def _fitting(parser: Parser, tag: str, place: Place, plain: Plain, computed: bool, kind: str | None) -> Scalar | None:
-    if not literal_fits(plain, computed, kind):
-        expected = EXPECTED[kind or "yaml"]
-        parser.problems.append(
-            WrongValue(origin=Origin(place), refused=True, tag=tag, attribute="value", value=place.text, expected=expected)
-        )
-    return None if isinstance(plain, list) else plain
+def _fitting(parser: Parser, tag: str, place: Place, plain: Scalar, kind: str | None) -> Scalar:
+    _fits(parser, tag, place, plain, False, kind)
+    return plain
+
+
+def _fits(parser: Parser, tag: str, place: Place, plain: Plain, computed: bool, kind: str | None) -> bool:
+    if literal_fits(plain, computed, kind):
+        return True
+    _misfit(parser, tag, place, EXPECTED[kind or "yaml"])
+    return False
+
+
+def _misfit(parser: Parser, tag: str, place: Place, expected: str) -> None:
+    parser.problems.append(WrongValue(origin=Origin(place), refused=True, tag=tag, attribute="value", value=place.text, expected=expected))
 
 
 def _shown(plain: Scalar) -> str:

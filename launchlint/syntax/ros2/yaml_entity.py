@@ -83,6 +83,16 @@ class YamlEntity(Entity):
             written = self._written(item)
             return Value(data, self._at(item.span) if written is None else written.place, written)
         problems.append(self._misfit(name, item, entry, wanted))
+        return self._meant(item, wanted)
+
+    def _meant(self, item: Item, wanted: str) -> Value | None:
+        """What stands there once the refused value is in quotes, or has its point: that is told, and nothing that would follow from it."""
+        if isinstance(item.data, (bool, int, float)) and item.span.end > item.span.start:
+            place = self._at(item.span)
+            if wanted == "str":
+                return Value(place.text, place, InYaml(place.text, self._source, item.span))
+            if wanted == "float" and not isinstance(item.data, bool):
+                return Value(float(item.data), place, None)
         return None
 
     def _misfit(self, name: str, item: Item, entry: Entry, wanted: str) -> Problem:
