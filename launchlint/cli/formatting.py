@@ -194,7 +194,7 @@ class _Run:
         return ", ".join(parts) or "no launch files to format"
 
     def _args_first(self, file: str, data: bytes) -> bytes:
-        """The file with the args of each block before all else in it, where that changes nothing; YAML stays as it is."""
+        """The file with the args of each block before all else in it, where that changes nothing."""
         from launchlint.dialects.door import dialect_of
         from launchlint.fix.format.ordering import args_first
         from launchlint.model import ROS1
@@ -203,12 +203,10 @@ class _Run:
         dialect = dialect_of(session, file)
         if dialect.name == ROS1:
             return args_first(data, lambda before, after: self._guard.refusal(file, before, after))
-        document = dialect.parse(session, file)
-        if getattr(document, "root", None) is None:
-            return data
         from launchlint.export.ros2.reordering import refusal
+        from launchlint.fix.format.formatting import is_yaml
 
-        return args_first(data, lambda before, after: refusal(self._session, file, before, after))
+        return args_first(data, lambda before, after: refusal(self._session, file, before, after), yaml=is_yaml(file))
 
     @cached_property
     def _session(self) -> Session:

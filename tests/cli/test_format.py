@@ -177,6 +177,106 @@ def test_args_of_ros2_are_sorted_where_nothing_changes(stands: str, moved: list[
     assert found == (re.findall(r"<([a-z_]+)", stands) if moved is None else moved)
 
 
+SORTED_IN_YAML = {
+    "comments": (
+        """\
+# a robot
+launch:
+# what is said first
+- log: {message: hello}
+
+# how fast
+- arg: {name: rate, default: "5"}   # Hz
+
+- arg:
+    name: level
+    default: "1"
+    # deeper: of the arg
+# about what follows
+- group:
+  - log: {message: $(var rate)}
+  # of both
+  - arg: {name: two, default: $(var rate)}
+  - log: {message: $(var two)}
+""",
+        """\
+# a robot
+launch:
+# how fast
+- arg: {name: rate, default: "5"}   # Hz
+- arg:
+    name: level
+    default: "1"
+    # deeper: of the arg
+# what is said first
+- log: {message: hello}
+
+# about what follows
+- group:
+  - arg: {name: two, default: $(var rate)}
+  - log: {message: $(var rate)}
+  # of both
+  - log: {message: $(var two)}
+""",
+    ),
+    "children": (
+        """\
+launch:
+- group:
+    scoped: "false"
+    children:
+    - log: {message: hello}
+    - arg: {name: a, default: "1"}
+""",
+        """\
+launch:
+- group:
+    scoped: "false"
+    children:
+    - arg: {name: a, default: "1"}
+    - log: {message: hello}
+""",
+    ),
+    "one that uses what is set before it": (
+        """\
+launch:
+- let: {name: x, value: "3"}
+- arg: {name: y, default: $(var x)}
+- arg: {name: z, default: "4"}
+""",
+        """\
+launch:
+- arg: {name: z, default: "4"}
+- let: {name: x, value: "3"}
+- arg: {name: y, default: $(var x)}
+""",
+    ),
+}
+STAYS_IN_YAML = {
+    "in brackets": 'launch: [{log: {message: hello}}, {arg: {name: a, default: "1"}}]\n',
+    "a word to launchlint": "launch:\n- log: {message: hello}\n# launchlint: ignore[LL206] later\n- arg: {name: a, default: '1'}\n",
+    "an anchor": "launch:\n- log: {message: &said hello}\n- arg: {name: a, default: *said}\n",
+    "of an include": "launch:\n- include:\n    file: $(dirname)/b.launch.yaml\n    arg:\n    - {name: a, value: '1'}\n",
+}
+
+
+@pytest.mark.parametrize(("before", "after"), SORTED_IN_YAML.values(), ids=SORTED_IN_YAML)
+def test_args_in_yaml_go_up_with_their_comments(before: str, after: str, repository: Path, launch: Path) -> None:
+    write(launch, {"tidy.launch": TIDY, "ugly.launch": TIDY, "a.launch.yaml": before, "b.launch.yaml": "launch: []\n"})
+    write(repository, {".launchlint.yaml": "format: {sort-args: true}\n"})
+    assert run(repository, "format").output == "formatted demo/launch/a.launch.yaml\n"
+    assert (launch / "a.launch.yaml").read_text() == after
+    assert run(repository, "format").output == ""
+
+
+@pytest.mark.parametrize("text", STAYS_IN_YAML.values(), ids=STAYS_IN_YAML)
+def test_args_in_yaml_stay_where_nothing_is_proved(text: str, repository: Path, launch: Path) -> None:
+    write(launch, {"tidy.launch": TIDY, "ugly.launch": TIDY, "a.launch.yaml": text, "b.launch.yaml": "launch: []\n"})
+    write(repository, {".launchlint.yaml": "format: {sort-args: true}\n"})
+    assert run(repository, "format").status == 0
+    assert (launch / "a.launch.yaml").read_text() == text
+
+
 def test_files_of_ros2_are_formatted_and_their_args_stay(repository: Path, launch: Path) -> None:
     node, rest = '<node exec="talker" pkg="demo" name="a" namespace="b"/>', '<let name="a" value="b"/><arg name="c" default="$(var a)"/>'
     other = f"<launch>{node}{rest}</launch>"

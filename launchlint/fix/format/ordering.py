@@ -23,7 +23,7 @@ _OTHER = re.compile(r"[ \t]*<(?!arg[ \t\n/>]|[/!?])")
 """A line with an element that is no arg."""
 
 
-class _Move(NamedTuple):
+class Move(NamedTuple):
     """The lines from ``start`` to ``end`` go up to ``target``."""
 
     start: int
@@ -31,12 +31,12 @@ class _Move(NamedTuple):
     target: int
 
 
-def args_first(data: bytes, refusal: Callable[[bytes, bytes], str]) -> bytes:
+def args_first(data: bytes, refusal: Callable[[bytes, bytes], str], *, yaml: bool = False) -> bytes:
     """A launch file with the args of each block, and the comments that belong to them, before all else in it.
 
     Args keep their order, so that each still stands behind those it uses. What would change anything in any configuration stays where
     it is: ``refusal`` says why one text must not become another, empty where it may. ``data`` is in normal form; the result may have blank
-    lines too many.
+    lines too many. ``yaml``: it is YAML, and no XML.
     """
     decoded = decode(data)
     text = decoded.text
@@ -46,13 +46,18 @@ def args_first(data: bytes, refusal: Callable[[bytes, bytes], str]) -> bytes:
         return decoded.bom + result.replace("\n", line_end).encode(decoded.encoding)
 
     text = text.replace(line_end, "\n")
-    moves = _allowed(list(_moves(text)), lambda some: not refusal(data, written(_moved(text, some))))
+    found = _moves(text)
+    if yaml:
+        from launchlint.fix.format.yaml_ordering import moves as moves_in_yaml
+
+        found = moves_in_yaml(text)
+    moves = _allowed(list(found), lambda some: not refusal(data, written(_moved(text, some))))
     return written(_moved(text, moves))
 
 
-def _allowed(moves: list[_Move], proved: Callable[[list[_Move]], bool]) -> list[_Move]:
+def _allowed(moves: list[Move], proved: Callable[[list[Move]], bool]) -> list[Move]:
     """As many of ``moves`` as can be proved together: all, else those of its halves, and again those that were left, while any is added."""
-    accepted: list[_Move] = []
+    accepted: list[Move] = []
     left = MOST_TRIED
     added = True
     while moves and added:
@@ -72,7 +77,7 @@ def _allowed(moves: list[_Move], proved: Callable[[list[_Move]], bool]) -> list[
     return accepted
 
 
-def _moved(text: str, moves: list[_Move]) -> str:
+def _moved(text: str, moves: list[Move]) -> str:
     """``text`` after ``moves``; those with one target keep their order."""
     inserted: dict[int, list[str]] = {}
     for move in sorted(moves):
@@ -88,19 +93,19 @@ def _moved(text: str, moves: list[_Move]) -> str:
     return "".join(pieces)
 
 
-def _moves(text: str) -> Iterator[_Move]:
+def _moves(text: str) -> Iterator[Move]:
     found = tokens(text)
     for number, token in enumerate(found):
         if token.kind == "start" and token.name in _BLOCKS:
             yield from _moves_in_block(text, found, number)
 
 
-def _moves_in_block(text: str, found: list[Token], number: int) -> Iterator[_Move]:
+def _moves_in_block(text: str, found: list[Token], number: int) -> Iterator[Move]:
     """The args of one block that do not stand at its start, each with the comments right above it and behind it."""
     target = _line_end(text, found[number].offset + len(found[number].text))
     others = False  # something else than an arg has been seen
     begins: int | None = None  # where the comments begin that belong to what comes next
-    moves: list[_Move] = []
+    moves: list[Move] = []
     position = number + 1
     while position < found[number].partner:
         token = found[position]
@@ -122,7 +127,7 @@ def _moves_in_block(text: str, found: list[Token], number: int) -> Iterator[_Mov
             if token.name != "arg":
                 others = True
             elif others:
-                moves.append(_Move(begins, end, target))
+                moves.append(Move(begins, end, target))
             else:
                 target = end
             begins = None
