@@ -50,11 +50,13 @@ def _told(session: Session, file: str) -> DialectName:
     from launchlint.syntax.dialect import told
 
     document = session.document(file)
-    return expected or ROS1 if isinstance(document, Read) else told(document, expected)
+    if isinstance(document, Read):
+        return expected or ROS1
+    return told(document, expected, only_where_equal=_is_built_for_both(file, session.packages))
 
 
 def _expected(session: Session, file: str) -> DialectName | None:
-    """The ROS that the package of ``file`` is built for, where that is one only; else that of the environment."""
+    """The ROS that the package of ``file`` is built for, where that is one only; else what was asked for, or the environment says."""
     from launchlint.workspace.ros2_distributions import environment_is_for
 
     built_for = _built_for(file, session.packages)
@@ -63,10 +65,17 @@ def _expected(session: Session, file: str) -> DialectName | None:
     return ROS2 if session.asked_distro else environment_is_for(session.environment)
 
 
+def _is_built_for_both(file: str, packages: Packages) -> bool:
+    """Whether the package of ``file`` says so: then each of its launch files is for one of them, whatever this machine has."""
+    package = packages.package_of(file)
+    manifest = None if package is None else package.manifest
+    return manifest is not None and manifest.is_catkin and any(each.startswith("ament") for each in manifest.build_types)
+
+
 def _built_for(file: str, packages: Packages) -> DialectName | None:
     package = packages.package_of(file)
     manifest = None if package is None else package.manifest
-    if manifest is None or (manifest.is_catkin and any(each.startswith("ament") for each in manifest.build_types)):
+    if manifest is None or _is_built_for_both(file, packages):
         return None
     if not manifest.build_types and "catkin" not in manifest.depends():
         return None  # it says nothing; that catkin would build it is no more than the default

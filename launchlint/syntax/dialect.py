@@ -66,15 +66,17 @@ class Only(NamedTuple):
         )
 
 
-def told(document: Document, expected: DialectName | None) -> DialectName:
+def told(document: Document, expected: DialectName | None, *, only_where_equal: bool = False) -> DialectName:
     """The dialect of a launch file.
 
     Args:
         document: as far as it could be read.
         expected: the dialect that its package is built for, else that of the environment; None where neither says one.
+        only_where_equal: what is expected decides only where the words do not.
     """
-    ros1 = WEIGHT if expected == ROS1 else 0
-    ros2 = WEIGHT if expected == ROS2 else 0
+    weight = 0 if only_where_equal else WEIGHT
+    ros1 = weight if expected == ROS1 else 0
+    ros2 = weight if expected == ROS2 else 0
     listed = _words(document)
     # Where roslaunch knows every word, the tables of ROS 2 need not even be loaded, unless the file is expected to be one of it.
     if expected != ROS2 and all(map(_is_known_to_ros1, listed)):
@@ -83,7 +85,7 @@ def told(document: Document, expected: DialectName | None) -> DialectName:
     for word in listed:
         ros1 += WEIGHT + 1 if word == _TEST else only1.has(word)
         ros2 += only2.has(word)
-    return ROS1 if ros1 >= ros2 else ROS2
+    return expected or ROS1 if ros1 == ros2 and only_where_equal else ROS1 if ros1 >= ros2 else ROS2
 
 
 def _is_known_to_ros1(word: Word) -> bool:

@@ -57,6 +57,20 @@ def test_dialect(text: str, package: DialectName | None, expected: str | None) -
     assert told(parse(text.encode("utf-16"), "a.launch"), package) == expected
 
 
+@pytest.mark.parametrize(
+    ("text", "asked", "expected"),
+    [
+        ('<launch><node pkg="a" type="b" name="c"/></launch>', "ros2", "ros1"),
+        ('<launch><node pkg="a" exec="b" name="c"/></launch>', "ros1", "ros2"),
+        ("<launch/>", "ros2", "ros2"),
+        ("<launch/>", "ros1", "ros1"),
+        ("<launch/>", None, "ros1"),
+    ],
+)
+def test_one_word_says_it_in_a_package_that_is_built_for_both(text: str, asked: DialectName | None, expected: str) -> None:
+    assert told(parse(text.encode(), "a.launch"), asked, only_where_equal=True) == expected
+
+
 def test_bytes_that_are_no_utf8() -> None:
     data = b'<launch><!-- \xe9 --><node pkg="a" type="\xff"/></launch>'
     assert told(parse(data, "a.launch"), None) == "ros1"

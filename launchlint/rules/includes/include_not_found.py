@@ -71,7 +71,7 @@ from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.robot_file import advice as robots_advice
 from launchlint.rules.judging.robot_file import is_robots
 from launchlint.rules.judging.takes_args import is_alike, passed_at, takes
-from launchlint.rules.judging.template import has_placeholder, is_called_template
+from launchlint.rules.judging.template import has_placeholder, is_called_template, is_template
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.rules.xml.malformed_xml import TEMPLATE
@@ -147,9 +147,10 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
     if choice is not None:
         severity, advice, repair = Severity.INFO, choice[1], None
         notes.append(choice[0])
-    if severity is None and problem.origin.step is None and is_called_template(source.path):
+    if severity is None and problem.origin.step is None and is_template(source.path):
         severity = Severity.INFO
-        notes.append("this file is called a template: people copy it, and start the copy")
+        what = "is called a template" if is_called_template(source.path) else "lies among templates"
+        notes.append(f"this file {what}: people copy it, and start the copy")
     home = None if relative or not file else view.packages.package_of(file)
     if home is not None and home.manifest is not None and home.manifest.is_ament and not home.manifest.is_catkin:
         severity, repair = Severity.INFO, None

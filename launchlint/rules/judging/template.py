@@ -46,7 +46,7 @@ def is_called_template(path: str) -> bool:
 
 def is_among_templates(directory: str) -> bool:
     """Whether ``directory`` lies in a folder of templates: what stands there is copied before anybody launches it."""
-    return not {"template", "templates"}.isdisjoint(directory.lower().split("/"))
+    return any(part == "template" or _LETTERS.findall(part)[-1:] == ["templates"] for part in directory.lower().split("/"))
 
 
 def is_template(path: str) -> bool:
