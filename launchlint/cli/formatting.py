@@ -206,7 +206,14 @@ class _Run:
         from launchlint.export.ros2.reordering import refusal
         from launchlint.fix.format.formatting import is_yaml
 
-        return args_first(data, lambda before, after: refusal(self._session, file, before, after), yaml=is_yaml(file))
+        def refused(before: bytes, after: bytes) -> str:
+            return refusal(self._session, file, before, after)
+
+        if not is_yaml(file):
+            return args_first(data, refused)
+        from launchlint.fix.format.yaml_ordering import moves
+
+        return args_first(data, refused, moves)
 
     @cached_property
     def _session(self) -> Session:

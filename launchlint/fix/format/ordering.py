@@ -31,12 +31,12 @@ class Move(NamedTuple):
     target: int
 
 
-def args_first(data: bytes, refusal: Callable[[bytes, bytes], str], *, yaml: bool = False) -> bytes:
+def args_first(data: bytes, refusal: Callable[[bytes, bytes], str], found: Callable[[str], Iterator[Move]] | None = None) -> bytes:
     """A launch file with the args of each block, and the comments that belong to them, before all else in it.
 
     Args keep their order, so that each still stands behind those it uses. What would change anything in any configuration stays where
     it is: ``refusal`` says why one text must not become another, empty where it may. ``data`` is in normal form; the result may have blank
-    lines too many. ``yaml``: it is YAML, and no XML.
+    lines too many. ``found`` says which args could go up in a text; without it, it is XML.
     """
     decoded = decode(data)
     text = decoded.text
@@ -46,12 +46,7 @@ def args_first(data: bytes, refusal: Callable[[bytes, bytes], str], *, yaml: boo
         return decoded.bom + result.replace("\n", line_end).encode(decoded.encoding)
 
     text = text.replace(line_end, "\n")
-    found = _moves(text)
-    if yaml:
-        from launchlint.fix.format.yaml_ordering import moves as moves_in_yaml
-
-        found = moves_in_yaml(text)
-    moves = _allowed(list(found), lambda some: not refusal(data, written(_moved(text, some))))
+    moves = _allowed(list((found or _moves)(text)), lambda some: not refusal(data, written(_moved(text, some))))
     return written(_moved(text, moves))
 
 
