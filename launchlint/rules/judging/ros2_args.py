@@ -129,6 +129,7 @@ _HOMES = ("/home/", "/Users/", "/root/")
 def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: LaunchView) -> Iterator[Finding]:
     """An included file that is not there."""
     from launchlint.workspace.ament.shares import may_be_installed
+    from launchlint.workspace.templates import template_of
 
     file, source = problem.file, problem.place.source
     if has_placeholder(file) or isinstance(problem, IncludeNotLoadable):
@@ -145,6 +146,9 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
     perhaps = "" if relative or not file else may_be_installed(view.packages, file)
     if perhaps:
         notes.append(f"the build may install it to this place: {perhaps}")
+    template = None if relative or not file else template_of(file)
+    if template is not None:
+        notes.append(f"{shown(template, root_of(source))} lies beside it: a template from which it may be made")
     base = posixpath.basename(file)
     others = list(view.packages.colcon.launch_files(base)) if base and not relative else []
     advice = "correct the name, or create the file"
@@ -165,7 +169,7 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
     yield rule.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",
-        severity=Severity.INFO if problem.environment or elsewhere else Severity.WARNING if perhaps else None,
+        severity=Severity.INFO if problem.environment or elsewhere or template else Severity.WARNING if perhaps else None,
         label="not found",
         notes=tuple(notes),
         help=advice,
