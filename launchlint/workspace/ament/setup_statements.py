@@ -3,8 +3,9 @@
 What cannot be known stays :data:`~launchlint.workspace.ament.setup_values.UNKNOWN`; both ways are gone through an ``if`` whose condition is
 not known, and what they set is unknown afterwards.
 
-This is no second :mod:`launchlint.python`: that room stands above this one, and follows programs for what they do, in order and to the letter.
-Here only is asked which files may be installed: a list is a collection of which any part may be unknown, and paths are those of the package.
+This is no second :mod:`launchlint.python`: that room stands above this one, and follows programs for what they do, in order and to the
+letter. Here only is asked which files may be installed: a list is a collection of which any part may be unknown, and paths are those of
+the package.
 """
 
 from __future__ import annotations
