@@ -79,7 +79,7 @@ async def ask(client: Any, uri: str, text: str) -> set[str]:
     for item in note("calls", items) or ():
         note("outgoing", await client.call_hierarchy_outgoing_calls_async(types.CallHierarchyOutgoingCallsParams(item)))
         note("incoming", await client.call_hierarchy_incoming_calls_async(types.CallHierarchyIncomingCallsParams(item)))
-    note("diagnostics", (await client.text_document_diagnostic_async(types.DocumentDiagnosticParams(named))).items)
+    note("diagnostics", client.diagnostics.get(uri))
     note("topology", await client.protocol.send_request_async("launchlint/topology", {"textDocument": {"uri": uri}}))
     return answered
 
@@ -136,7 +136,7 @@ def test_the_example(editor: str, tmp_path: Path) -> None:
     answered = converse(root, files, editor)
     assert answered >= {
         "hover", "definition", "references", "highlight", "completion", "selection", "symbols", "workspace symbols", "folding", "lenses",
-        "calls", "topology",
+        "calls", "topology", "diagnostics",
     }  # fmt: skip
 
 

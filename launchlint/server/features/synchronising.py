@@ -7,7 +7,6 @@ import os
 from lsprotocol import types
 
 from launchlint.server.addresses import path_of
-from launchlint.server.diagnostics import by_file
 from launchlint.server.service import Service
 
 TYPE_CHECKING = False
@@ -84,16 +83,6 @@ def register(server: Service) -> None:
         gone = {path_of(each.uri) for each in params.event.removed}
         server.folders = [each for each in server.folders if each not in gone]
         server.folders += [path for path in (path_of(each.uri) for each in params.event.added) if path is not None]
-
-    @server.feature(types.TEXT_DOCUMENT_DIAGNOSTIC, types.DiagnosticOptions(inter_file_dependencies=True, workspace_diagnostics=False))
-    async def diagnostic(params: types.DocumentDiagnosticParams) -> types.DocumentDiagnosticReport:
-        """What is pushed, for those who ask: the same once the text has been looked at as it is now."""
-        document = server.document(params.text_document.uri)
-        ready = None if document is None else await server.up_to_date(document)
-        if document is None or ready is None:
-            return types.RelatedFullDocumentDiagnosticReport(items=[])
-        found = by_file(ready.findings, server.documents, ready.snapshot.session)
-        return types.RelatedFullDocumentDiagnosticReport(items=found.get(document.file, []))
 
     @server.feature(types.SHUTDOWN)
     def shutdown(*_: object) -> None:
