@@ -38,7 +38,7 @@ export function nodes() {
 export function first() {
   return timed(() => {
     const host = document.getElementById("drawing");
-    drawing = createDrawing(data, host, { select() {}, expand() {}, busy() {} });
+    drawing = createDrawing(data, host, { select() {}, expand() {}, moved() {}, busy() {} });
     return drawing.show(state);
   });
 }
@@ -60,6 +60,13 @@ export async function select(most) {
   const found = [];
   for (const { selection } of drawing.focusables().slice(0, most)) found.push(await timed(() => drawing.select(selection)));
   drawing.select(null);
+  return found;
+}
+
+/** Shows the topics that everybody uses, and hides them again: milliseconds of both. */
+export async function hubs() {
+  const found = [];
+  for (const on of [true, false]) found.push(await timed(() => drawing.show({ ...state, hubs: on })));
   return found;
 }
 

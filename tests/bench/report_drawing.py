@@ -92,6 +92,7 @@ def measure(browser: Browser, report: Path, script: Path) -> None:
     print(f"  first     {took:7.0f} ms; of the processor {processor(session) - before:.0f} ms: {_drawn(ask('drawn()'))}")
     series("select", "select(40)")
     series("expand", "expand(12)")
+    series("hubs", "hubs()")
     pan()
     for name, found in ask("against()").items():
         print(

@@ -1,0 +1,80 @@
+"""Robots of the corpus: found, narrowed, shared, switched; and written again with one node more, everything stays where it was."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+from tests.conftest import find_corpus
+from tests.report.html.browser.reading import drawn
+from tests.report.html.browser.test_first_sight import ROBOTS
+from tests.report.html.pages import data_of
+
+pytestmark = [pytest.mark.chromium, pytest.mark.corpus]
+
+NEAR = 10
+PLACES = """() => Object.fromEntries([...document.querySelectorAll("#drawing > svg .box:not(.pill)")].map(box => {
+  const [x, y] = box.getAttribute("transform").match(/-?[0-9.]+/g).map(Number);
+  return [box.matches(".node") ? box.querySelector("title").textContent.split("\\n")[0] : box.dataset.id, [x, y]];
+}))"""
+
+
+def written(directory: Path, launch: str, target: Path) -> None:
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
+    command = [sys.executable, "-m", "launchlint", "report", launch, "-o", str(target), "--quiet", "--jobs", "1"]
+    subprocess.run(command, cwd=directory, env=environment, check=True)
+
+
+def opened(browser: Browser, target: Path, fragment: str) -> Page:
+    page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
+    page.goto(f"{target.as_uri()}{fragment}")
+    drawn(page)
+    return page
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_a_robot(browser: Browser, tmp_path: Path, robot: str) -> None:
+    directory, target = tmp_path / "robot", tmp_path / "report.html"
+    shutil.copytree(Path(str(find_corpus())) / "ros1" / robot, directory, symlinks=True)
+    written(directory, ROBOTS[robot], target)
+    page = opened(browser, target, f"#entry={ROBOTS[robot]}")
+    places = page.evaluate(PLACES)
+    assert len(places) > 5
+
+    # What is switched off or filtered away leaves its place.
+    page.get_by_role("group", name="Show").get_by_role("button", name="Services", exact=True).click()
+    drawn(page)
+    assert page.evaluate(PLACES).items() <= places.items()
+    page.get_by_role("group", name="Show").get_by_role("button", name="Services", exact=True).click()
+    name = data_of(target.read_text())["entries"][0]["nodes"][0]["name"]
+
+    # Found by a part of its name, and shared.
+    page.locator("#drawing > svg").click(position={"x": 4, "y": 4})
+    page.keyboard.press("/")
+    page.keyboard.type(name)
+    page.keyboard.press("Enter")
+    page.locator("#panel").get_by_text(name).first.wait_for()
+    shared = page.url
+    page.close()
+    page = opened(browser, target, shared[shared.index("#") :])
+    page.locator("#panel").get_by_text(name).first.wait_for()
+    page.close()
+
+    launch = directory / ROBOTS[robot]
+    more = '<node pkg="rosout" type="rosout" name="newcomer"/>'
+    launch.write_text(re.sub(r"</launch>\s*$", f"{more}</launch>", launch.read_text()))
+    written(directory, ROBOTS[robot], target)
+    page = opened(browser, target, f"#entry={ROBOTS[robot]}")
+    after = page.evaluate(PLACES)
+    page.close()
+    both = [(was, after[title]) for title, was in places.items() if title in after]
+    stayed = sum(abs(was[0] - now[0]) <= NEAR and abs(was[1] - now[1]) <= NEAR for was, now in both)
+    assert len(both) >= 0.95 * len(places)
+    assert stayed >= 0.95 * len(both)
