@@ -5235,6 +5235,238 @@ ${end.mark}`;
     };
   }
 
+  // launchlint/report/html/js/page/why.js
+  var MOST5 = 3;
+  var LIKE = 0.45;
+  var gives = (model, each) => {
+    var _a;
+    return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.kind) === "topic" === each.offers;
+  };
+  function pathBetween(model, from, to, configuration) {
+    var _a;
+    const reached = /* @__PURE__ */ new Map([[from, null]]);
+    const waiting = [from];
+    for (const node of waiting) {
+      if (node === to && node !== from) break;
+      for (const out of ends(model, node, configuration).filter((each) => gives(model, each))) {
+        const isTopic = ((_a = model.entry.channels[out.channel]) == null ? void 0 : _a.kind) === "topic";
+        for (const into of model.onChannel[out.channel] ?? []) {
+          if (gives(model, into) || !isThere(model, into, configuration) || !meet2(out, into) || reached.has(into.node)) continue;
+          if (!isTopic && (node !== from || into.node !== to)) continue;
+          reached.set(into.node, { from: node, channel: out.channel, to: into.node });
+          waiting.push(into.node);
+        }
+      }
+    }
+    if (!reached.has(to) || from === to) return null;
+    const steps = [];
+    for (let step = reached.get(to); step; step = reached.get(step.from)) steps.unshift(step);
+    return steps;
+  }
+  function nearMisses(model, from, to, written2) {
+    const out = ends(model, from, -1).filter((each) => gives(model, each));
+    const into = ends(model, to, -1).filter((each) => !gives(model, each));
+    const found2 = out.flatMap(
+      (giver) => into.flatMap((taker) => {
+        const [one2, other] = [model.entry.channels[giver.channel], model.entry.channels[taker.channel]];
+        if (!one2 || !other || one2.kind !== other.kind) return [];
+        const score2 = likeness(giver, taker, one2.name, other.name);
+        return score2 >= LIKE ? [{ giver, taker, score: score2 }] : [];
+      })
+    );
+    found2.sort((one2, other) => other.score - one2.score);
+    return found2.slice(0, MOST5).map(({ giver, taker }) => ({ giver, taker, ...verdict(model, giver, taker, written2) }));
+  }
+  function ends(model, node, configuration) {
+    return (model.ofNode[node] ?? []).filter((each) => {
+      const { hub = true, plumbing = true } = model.entry.channels[each.channel] ?? {};
+      return !hub && !plumbing && isThere(model, each, configuration);
+    });
+  }
+  function isThere(model, each, configuration) {
+    return each.mark !== "removed" && isIn(each, configuration) && isIn(model.entry.nodes[each.node] ?? { only: [] }, configuration);
+  }
+  function meet2(one2, other) {
+    return one2.only.length === 0 || other.only.length === 0 || one2.only.some((each) => other.only.includes(each));
+  }
+  function likeness(giver, taker, one2, other) {
+    if (one2 === other) return 1;
+    const sameType = giver.type !== "" && giver.type === taker.type;
+    if (giver.type && taker.type && !sameType) return tail(one2) === tail(other) ? 0.5 : 0;
+    if (tail(one2) === tail(other)) return sameType ? 0.95 : 0.8;
+    if (bare(giver.declared) === bare(taker.declared)) return sameType ? 0.9 : 0.7;
+    return (sameType ? 0.45 : 0) + 0.45 * shared(tail(one2), tail(other));
+  }
+  var tail = (name) => name.slice(name.lastIndexOf("/") + 1);
+  var bare = (declared) => tail(declared.replace(/^~/, ""));
+  function shared(one2, other) {
+    const pairs2 = (word) => new Set(Array.from({ length: Math.max(0, word.length - 1) }, (_, at) => word.slice(at, at + 2).toLowerCase()));
+    const [left, right] = [pairs2(one2), pairs2(other)];
+    const both2 = [...left].filter((each) => right.has(each)).length;
+    return left.size + right.size ? 2 * both2 / (left.size + right.size) : 0;
+  }
+  function verdict(model, giver, taker, written2) {
+    const name = (each) => {
+      var _a;
+      return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.name) ?? "";
+    };
+    const node = (each) => {
+      var _a;
+      return ((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? "";
+    };
+    if (name(giver) !== name(taker)) return { apart: `The names part at ${parting(name(giver), name(taker))}${cause(model, giver, taker, written2)}.`, edit: remap(model, taker, name(giver), written2) };
+    if (giver.type && taker.type && giver.type !== taker.type) {
+      return { apart: `One name, two types: ${node(giver)} has ${giver.type}, ${node(taker)} wants ${taker.type}.`, edit: "Let both use one type: ROS does not connect them." };
+    }
+    const clash = clashOf(giver.qos ?? "", taker.qos ?? "");
+    if (clash) return { apart: `One name, and their QoS does not fit: ${clash[0]} is offered, ${clash[1]} is asked for.`, edit: "Let what is offered be at least what is asked for." };
+    const [one2, other] = [model.entry.nodes[giver.node], model.entry.nodes[taker.node]];
+    const never = !meet2(giver, taker) || one2 && other && !meet2(one2, other);
+    if (never) {
+      const when2 = (each) => (each == null ? void 0 : each.conditions.join(" and ")) || "some configurations";
+      return { apart: `They are never there together: ${node(giver)} only where ${when2(one2)}, ${node(taker)} only where ${when2(other)}.`, edit: "Start both under one condition." };
+    }
+    return { apart: "They are connected, yet not in the configuration that is shown.", edit: "Choose a configuration in which both are there." };
+  }
+  function parting(one2, other) {
+    const [left, right] = [one2.split("/"), other.split("/")];
+    const at = left.findIndex((part2, index) => part2 !== right[index]);
+    const from = at < 0 ? left.length : at;
+    const rest = (parts3) => parts3.slice(from).join("/") || "its end";
+    const before = left.slice(0, from).join("/");
+    return `${before ? `${before}/` : "/"}: “${rest(left)}” there, “${rest(right)}” here`;
+  }
+  function cause(model, giver, taker, written2) {
+    var _a, _b;
+    if (giver.unremapped === taker.unremapped) {
+      const step = [...giver.remaps, ...taker.remaps].find(([from, to]) => from !== to);
+      return step ? `: before remaps both are ${giver.unremapped}, then ${step[0]} becomes ${step[1]}${step[2] ? ` in ${written2(step[2])}` : ""}` : "";
+    }
+    if (bare(giver.declared) === bare(taker.declared)) {
+      const [one2, other] = [((_a = model.entry.nodes[giver.node]) == null ? void 0 : _a.namespace) ?? "", ((_b = model.entry.nodes[taker.node]) == null ? void 0 : _b.namespace) ?? ""];
+      if (giver.spelling === "private" || taker.spelling === "private") return ": a private name begins with the name of its node";
+      if (one2 !== other) return `: the nodes are in different namespaces, ${one2} and ${other}`;
+    }
+    return "";
+  }
+  function remap(model, taker, name, written2) {
+    const own = [...taker.remaps].reverse().find(([from, to, place3]) => from !== to && place3);
+    if (own == null ? void 0 : own[2]) return `In ${written2(own[2])} let the remap lead to ${name} instead of ${own[1]}.`;
+    const node = model.entry.nodes[taker.node];
+    const place2 = node == null ? void 0 : node.place;
+    const where = place2 ? written2(place2) : "its element";
+    const file = where.replace(/:\d+$/, "");
+    const line4 = file.endsWith(".py") ? `remappings=[("${taker.declared}", "${name}")]` : /\.ya?ml$/.test(file) ? `remap: [{from: "${taker.declared}", to: "${name}"}]` : `<remap from="${taker.declared}" to="${name}"/>`;
+    return `At ${where}, in ${(node == null ? void 0 : node.name) ?? "the node"}: ${line4}`;
+  }
+
+  // launchlint/report/html/js/page/panel_pair.js
+  var OFFERED = 600;
+  function pairField({ store }, model, id) {
+    const names2 = /* @__PURE__ */ new Map();
+    for (const [index, node] of model.entry.nodes.entries()) if (`n:${index}` !== id && !names2.has(node.name)) names2.set(node.name, `n:${index}`);
+    const isNode = id.startsWith("n:");
+    if (isNode) {
+      for (const [index, { name, hub, plumbing }] of model.entry.channels.entries()) if (!hub && !plumbing && !names2.has(name)) names2.set(name, `c:${index}`);
+    }
+    const offers = element2("datalist", { id: "pair-names" }, ...[...names2.keys()].slice(0, OFFERED).map((name) => element2("option", { value: name })));
+    const field = element2("input", { type: "search", list: "pair-names", placeholder: isNode ? "Why does it not hear …" : "Why is it not connected with …", "aria-label": isNode ? "Another node or topic: why are they not connected?" : "A node: why are they not connected?", class: "pair", autocomplete: "off" });
+    const ask = () => {
+      const other = names2.get(field.value.trim());
+      if (other) store.set({ selection: { kind: "pair", id: isNode ? `${id}|${other}` : `${other}|${id}` } });
+    };
+    field.addEventListener("input", ask);
+    return element2("p", { class: "pair-host" }, field, offers);
+  }
+  function pairWay(model, id, configuration) {
+    const [one2 = "", other = ""] = id.split("|");
+    const [from, to] = [Number(one2.slice(2)), Number(other.slice(2))];
+    const way = other.startsWith("n:") ? pathBetween(model, from, to, configuration) ?? pathBetween(model, to, from, configuration) : null;
+    return way ? [...new Set(way.flatMap((step) => [`n:${step.from}`, `c:${step.channel}`, `n:${step.to}`]))] : [one2, other];
+  }
+  function pairPanel(page, model, id) {
+    const [one2 = "", other = ""] = id.split("|");
+    const node = model.entry.nodes[Number(one2.slice(2))];
+    if (!node) return [];
+    if (other.startsWith("c:")) return topicPanel(page, model, Number(one2.slice(2)), Number(other.slice(2)));
+    const [from, to] = [Number(one2.slice(2)), Number(other.slice(2))];
+    const second = model.entry.nodes[to];
+    if (!second) return [];
+    return [
+      ...heading("Two nodes", `${node.name} and ${second.name}`, []),
+      ...directionBlocks(page, model, from, to),
+      ...directionBlocks(page, model, to, from),
+      unknownNote(model, [from, to])
+    ];
+  }
+  function directionBlocks(page, model, from, to) {
+    var _a, _b;
+    const [one2, other] = [((_a = model.entry.nodes[from]) == null ? void 0 : _a.name) ?? "", ((_b = model.entry.nodes[to]) == null ? void 0 : _b.name) ?? ""];
+    const path = pathBetween(model, from, to, page.store.get().configuration);
+    if (path) return [block(path.length > 1 ? `${other} hears ${one2} by way of others` : `${other} hears ${one2}`, list(path.map((step) => stepItem(page, step)), "steps"))];
+    const near = nearMisses(model, from, to, (place2) => page.model.place(place2));
+    if (near.length === 0) return [block(`${other} does not hear ${one2}`, element2("p", {}, `Nothing that ${one2} gives is like anything that ${other} takes.`))];
+    return [block(`${other} does not hear ${one2}`, ...near.map((each) => nearItem(page, model, each)))];
+  }
+  function stepItem(page, { from, channel, to }) {
+    return element2("div", {}, nodeReference(page, from), " → ", channelReference(page, channel), " → ", nodeReference(page, to));
+  }
+  function nearItem(page, model, { giver, taker, apart, edit }) {
+    const rows2 = [
+      ["", ...[giver, taker].map((each) => {
+        var _a;
+        return `${((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? ""} ${does(each.role)}`;
+      })],
+      ["in the code", giver.declared, taker.declared],
+      ["in its namespace", giver.unremapped, taker.unremapped],
+      ...remapRows(giver, taker),
+      ["on the graph", nameOf(model, giver), nameOf(model, taker)],
+      ["type", giver.type || "not known", taker.type || "not known"],
+      ...giver.qos || taker.qos ? [["QoS", giver.qos ?? "not known", taker.qos ?? "not known"]] : []
+    ];
+    const [head2 = [], ...body] = rows2;
+    const line4 = ([title2 = "", left = "", right = ""]) => element2("tr", { class: left !== right && title2 !== "in the code" ? "parts" : null }, element2("th", { scope: "row" }, title2), element2("td", {}, element2("code", {}, left)), element2("td", {}, element2("code", {}, right)));
+    return element2(
+      "div",
+      { class: "near" },
+      element2("table", { class: "beside" }, element2("thead", {}, element2("tr", {}, ...head2.map((each) => element2("th", { scope: "col" }, each)))), element2("tbody", {}, ...body.map(line4))),
+      element2("p", { class: "apart" }, apart),
+      element2("p", {}, element2("b", {}, "To join them: "), edit),
+      element2("p", { class: "note" }, "See ", channelReference(page, giver.channel), " and ", channelReference(page, taker.channel))
+    );
+  }
+  function remapRows(giver, taker) {
+    const steps = (each) => each.remaps.filter(([from, to]) => from !== to).map(([, to]) => to);
+    const [left, right] = [steps(giver), steps(taker)];
+    return Array.from({ length: Math.max(left.length, right.length) }, (_, at) => [`after remap ${at + 1}`, left[at] ?? "", right[at] ?? ""]);
+  }
+  var nameOf = (model, each) => {
+    var _a;
+    return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.name) ?? "";
+  };
+  function unknownNote(model, nodes) {
+    const names2 = nodes.flatMap((each) => {
+      var _a, _b;
+      return ((_a = model.entry.nodes[each]) == null ? void 0 : _a.knowledge) === "unknown" ? [(_b = model.entry.nodes[each]) == null ? void 0 : _b.name] : [];
+    });
+    return names2.length > 0 && element2("p", { class: "note" }, `What ${names2.join(" and ")} ${names2.length > 1 ? "do" : "does"} is not known, so more may connect them.`);
+  }
+  function topicPanel(page, model, node, channel) {
+    var _a, _b;
+    const name = ((_a = model.entry.channels[channel]) == null ? void 0 : _a.name) ?? "";
+    const own = (model.ofNode[node] ?? []).filter((each) => each.channel === channel);
+    const title2 = heading("A node and a name", `${((_b = model.entry.nodes[node]) == null ? void 0 : _b.name) ?? ""} and ${name}`, []);
+    if (own.length > 0) return [...title2, block("Connected", list(own.map((each) => element2("div", {}, nodeReference(page, node), ` ${does(each.role)} `, channelReference(page, channel)))))];
+    const others = [...new Set((model.onChannel[channel] ?? []).map((each) => each.node))].filter((each) => each !== node);
+    const near = others.flatMap((other) => [...nearMisses(model, other, node, (place2) => page.model.place(place2)), ...nearMisses(model, node, other, (place2) => page.model.place(place2))]);
+    const about = near.filter((each) => each.giver.channel === channel || each.taker.channel === channel).slice(0, 3);
+    return [
+      ...title2,
+      about.length > 0 ? block("Not connected", ...about.map((each) => nearItem(page, model, each))) : block("Not connected", element2("p", {}, "Nothing that the node gives or takes is like this name.")),
+      unknownNote(model, [node])
+    ];
+  }
+
   // launchlint/report/html/js/page/panel_channel.js
   var KINDS = {
     topic: ["Topic", ["publisher", "subscriber"]],
@@ -5263,6 +5495,7 @@ ${end.mark}`;
       ...heading(noun, channel.name, badges),
       types.length > 0 ? list(types, "types") : element2("p", { class: "note" }, "Its type is not known."),
       findingsBlock(page, channel.findings),
+      !channel.hub && !channel.plumbing && pairField(page, model, `c:${index}`),
       ...sides2,
       offered !== used && aloneBlock(page, model, index, offered ? offering : using, offered)
     ];
@@ -5473,237 +5706,6 @@ ${end.mark}`;
       return reference(page, { kind: "finding", id: finding.id }, files[((_a = entries[at]) == null ? void 0 : _a.file) ?? -1] ?? "", at);
     });
     return items.length > 0 && block("Also reached from", list(items));
-  }
-
-  // launchlint/report/html/js/page/why.js
-  var MOST5 = 3;
-  var LIKE = 0.45;
-  var gives = (model, each) => {
-    var _a;
-    return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.kind) === "topic" === each.offers;
-  };
-  function pathBetween(model, from, to, configuration) {
-    var _a;
-    const reached = /* @__PURE__ */ new Map([[from, null]]);
-    const waiting = [from];
-    for (const node of waiting) {
-      if (node === to && node !== from) break;
-      for (const out of ends(model, node, configuration).filter((each) => gives(model, each))) {
-        const isTopic = ((_a = model.entry.channels[out.channel]) == null ? void 0 : _a.kind) === "topic";
-        for (const into of model.onChannel[out.channel] ?? []) {
-          if (gives(model, into) || !isThere(model, into, configuration) || !meet2(out, into) || reached.has(into.node)) continue;
-          if (!isTopic && (node !== from || into.node !== to)) continue;
-          reached.set(into.node, { from: node, channel: out.channel, to: into.node });
-          waiting.push(into.node);
-        }
-      }
-    }
-    if (!reached.has(to) || from === to) return null;
-    const steps = [];
-    for (let step = reached.get(to); step; step = reached.get(step.from)) steps.unshift(step);
-    return steps;
-  }
-  function nearMisses(model, from, to, written2) {
-    const out = ends(model, from, -1).filter((each) => gives(model, each));
-    const into = ends(model, to, -1).filter((each) => !gives(model, each));
-    const found2 = out.flatMap(
-      (giver) => into.flatMap((taker) => {
-        const [one2, other] = [model.entry.channels[giver.channel], model.entry.channels[taker.channel]];
-        if (!one2 || !other || one2.kind !== other.kind) return [];
-        const score2 = likeness(giver, taker, one2.name, other.name);
-        return score2 >= LIKE ? [{ giver, taker, score: score2 }] : [];
-      })
-    );
-    found2.sort((one2, other) => other.score - one2.score);
-    return found2.slice(0, MOST5).map(({ giver, taker }) => ({ giver, taker, ...verdict(model, giver, taker, written2) }));
-  }
-  function ends(model, node, configuration) {
-    return (model.ofNode[node] ?? []).filter((each) => {
-      const { hub = true, plumbing = true } = model.entry.channels[each.channel] ?? {};
-      return !hub && !plumbing && isThere(model, each, configuration);
-    });
-  }
-  function isThere(model, each, configuration) {
-    return each.mark !== "removed" && isIn(each, configuration) && isIn(model.entry.nodes[each.node] ?? { only: [] }, configuration);
-  }
-  function meet2(one2, other) {
-    return one2.only.length === 0 || other.only.length === 0 || one2.only.some((each) => other.only.includes(each));
-  }
-  function likeness(giver, taker, one2, other) {
-    if (one2 === other) return 1;
-    const sameType = giver.type !== "" && giver.type === taker.type;
-    if (giver.type && taker.type && !sameType) return tail(one2) === tail(other) ? 0.5 : 0;
-    if (tail(one2) === tail(other)) return sameType ? 0.95 : 0.8;
-    if (bare(giver.declared) === bare(taker.declared)) return sameType ? 0.9 : 0.7;
-    return (sameType ? 0.45 : 0) + 0.45 * shared(tail(one2), tail(other));
-  }
-  var tail = (name) => name.slice(name.lastIndexOf("/") + 1);
-  var bare = (declared) => tail(declared.replace(/^~/, ""));
-  function shared(one2, other) {
-    const pairs2 = (word) => new Set(Array.from({ length: Math.max(0, word.length - 1) }, (_, at) => word.slice(at, at + 2).toLowerCase()));
-    const [left, right] = [pairs2(one2), pairs2(other)];
-    const both2 = [...left].filter((each) => right.has(each)).length;
-    return left.size + right.size ? 2 * both2 / (left.size + right.size) : 0;
-  }
-  function verdict(model, giver, taker, written2) {
-    const name = (each) => {
-      var _a;
-      return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.name) ?? "";
-    };
-    const node = (each) => {
-      var _a;
-      return ((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? "";
-    };
-    if (name(giver) !== name(taker)) return { apart: `The names part at ${parting(name(giver), name(taker))}${cause(model, giver, taker, written2)}.`, edit: remap(model, taker, name(giver), written2) };
-    if (giver.type && taker.type && giver.type !== taker.type) {
-      return { apart: `One name, two types: ${node(giver)} has ${giver.type}, ${node(taker)} wants ${taker.type}.`, edit: "Let both use one type: ROS does not connect them." };
-    }
-    const clash = clashOf(giver.qos ?? "", taker.qos ?? "");
-    if (clash) return { apart: `One name, and their QoS does not fit: ${clash[0]} is offered, ${clash[1]} is asked for.`, edit: "Let what is offered be at least what is asked for." };
-    const [one2, other] = [model.entry.nodes[giver.node], model.entry.nodes[taker.node]];
-    const never = !meet2(giver, taker) || one2 && other && !meet2(one2, other);
-    if (never) {
-      const when2 = (each) => (each == null ? void 0 : each.conditions.join(" and ")) || "some configurations";
-      return { apart: `They are never there together: ${node(giver)} only where ${when2(one2)}, ${node(taker)} only where ${when2(other)}.`, edit: "Start both under one condition." };
-    }
-    return { apart: "They are connected, yet not in the configuration that is shown.", edit: "Choose a configuration in which both are there." };
-  }
-  function parting(one2, other) {
-    const [left, right] = [one2.split("/"), other.split("/")];
-    const at = left.findIndex((part2, index) => part2 !== right[index]);
-    const from = at < 0 ? left.length : at;
-    const rest = (parts3) => parts3.slice(from).join("/") || "its end";
-    const before = left.slice(0, from).join("/");
-    return `${before ? `${before}/` : "/"}: “${rest(left)}” there, “${rest(right)}” here`;
-  }
-  function cause(model, giver, taker, written2) {
-    var _a, _b;
-    if (giver.unremapped === taker.unremapped) {
-      const step = [...giver.remaps, ...taker.remaps].find(([from, to]) => from !== to);
-      return step ? `: before remaps both are ${giver.unremapped}, then ${step[0]} becomes ${step[1]}${step[2] ? ` in ${written2(step[2])}` : ""}` : "";
-    }
-    if (bare(giver.declared) === bare(taker.declared)) {
-      const [one2, other] = [((_a = model.entry.nodes[giver.node]) == null ? void 0 : _a.namespace) ?? "", ((_b = model.entry.nodes[taker.node]) == null ? void 0 : _b.namespace) ?? ""];
-      if (giver.spelling === "private" || taker.spelling === "private") return ": a private name begins with the name of its node";
-      if (one2 !== other) return `: the nodes are in different namespaces, ${one2} and ${other}`;
-    }
-    return "";
-  }
-  function remap(model, taker, name, written2) {
-    const own = [...taker.remaps].reverse().find(([from, to, place3]) => from !== to && place3);
-    if (own == null ? void 0 : own[2]) return `In ${written2(own[2])} let the remap lead to ${name} instead of ${own[1]}.`;
-    const node = model.entry.nodes[taker.node];
-    const place2 = node == null ? void 0 : node.place;
-    const where = place2 ? written2(place2) : "its element";
-    const file = where.replace(/:\d+$/, "");
-    const line4 = file.endsWith(".py") ? `remappings=[("${taker.declared}", "${name}")]` : /\.ya?ml$/.test(file) ? `remap: [{from: "${taker.declared}", to: "${name}"}]` : `<remap from="${taker.declared}" to="${name}"/>`;
-    return `At ${where}, in ${(node == null ? void 0 : node.name) ?? "the node"}: ${line4}`;
-  }
-
-  // launchlint/report/html/js/page/panel_pair.js
-  var OFFERED = 600;
-  function pairField({ store }, model, id) {
-    const names2 = /* @__PURE__ */ new Map();
-    for (const [index, node] of model.entry.nodes.entries()) if (`n:${index}` !== id && !names2.has(node.name)) names2.set(node.name, `n:${index}`);
-    if (id.startsWith("n:")) {
-      for (const [index, { name, hub, plumbing }] of model.entry.channels.entries()) if (!hub && !plumbing && !names2.has(name)) names2.set(name, `c:${index}`);
-    }
-    const offers = element2("datalist", { id: "pair-names" }, ...[...names2.keys()].slice(0, OFFERED).map((name) => element2("option", { value: name })));
-    const field = element2("input", { type: "search", list: "pair-names", placeholder: "Why does it not hear …", "aria-label": "Another node or topic: why are they not connected?", class: "pair", autocomplete: "off" });
-    const ask = () => {
-      const other = names2.get(field.value.trim());
-      if (other) store.set({ selection: { kind: "pair", id: `${id}|${other}` } });
-    };
-    field.addEventListener("input", ask);
-    return element2("p", { class: "pair-host" }, field, offers);
-  }
-  function pairWay(model, id, configuration) {
-    const [one2 = "", other = ""] = id.split("|");
-    const [from, to] = [Number(one2.slice(2)), Number(other.slice(2))];
-    const way = other.startsWith("n:") ? pathBetween(model, from, to, configuration) ?? pathBetween(model, to, from, configuration) : null;
-    return way ? [...new Set(way.flatMap((step) => [`n:${step.from}`, `c:${step.channel}`, `n:${step.to}`]))] : [one2, other];
-  }
-  function pairPanel(page, model, id) {
-    const [one2 = "", other = ""] = id.split("|");
-    const node = model.entry.nodes[Number(one2.slice(2))];
-    if (!node) return [];
-    if (other.startsWith("c:")) return topicPanel(page, model, Number(one2.slice(2)), Number(other.slice(2)));
-    const [from, to] = [Number(one2.slice(2)), Number(other.slice(2))];
-    const second = model.entry.nodes[to];
-    if (!second) return [];
-    return [
-      ...heading("Two nodes", `${node.name} and ${second.name}`, []),
-      ...directionBlocks(page, model, from, to),
-      ...directionBlocks(page, model, to, from),
-      unknownNote(model, [from, to])
-    ];
-  }
-  function directionBlocks(page, model, from, to) {
-    var _a, _b;
-    const [one2, other] = [((_a = model.entry.nodes[from]) == null ? void 0 : _a.name) ?? "", ((_b = model.entry.nodes[to]) == null ? void 0 : _b.name) ?? ""];
-    const path = pathBetween(model, from, to, page.store.get().configuration);
-    if (path) return [block(path.length > 1 ? `${other} hears ${one2} by way of others` : `${other} hears ${one2}`, list(path.map((step) => stepItem(page, step)), "steps"))];
-    const near = nearMisses(model, from, to, (place2) => page.model.place(place2));
-    if (near.length === 0) return [block(`${other} does not hear ${one2}`, element2("p", {}, `Nothing that ${one2} gives is like anything that ${other} takes.`))];
-    return [block(`${other} does not hear ${one2}`, ...near.map((each) => nearItem(page, model, each)))];
-  }
-  function stepItem(page, { from, channel, to }) {
-    return element2("div", {}, nodeReference(page, from), " → ", channelReference(page, channel), " → ", nodeReference(page, to));
-  }
-  function nearItem(page, model, { giver, taker, apart, edit }) {
-    const rows2 = [
-      ["", ...[giver, taker].map((each) => {
-        var _a;
-        return `${((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? ""} ${does(each.role)}`;
-      })],
-      ["in the code", giver.declared, taker.declared],
-      ["in its namespace", giver.unremapped, taker.unremapped],
-      ...remapRows(giver, taker),
-      ["on the graph", nameOf(model, giver), nameOf(model, taker)],
-      ["type", giver.type || "not known", taker.type || "not known"],
-      ...giver.qos || taker.qos ? [["QoS", giver.qos ?? "not known", taker.qos ?? "not known"]] : []
-    ];
-    const [head2 = [], ...body] = rows2;
-    const line4 = ([title2 = "", left = "", right = ""]) => element2("tr", { class: left !== right && title2 !== "in the code" ? "parts" : null }, element2("th", { scope: "row" }, title2), element2("td", {}, element2("code", {}, left)), element2("td", {}, element2("code", {}, right)));
-    return element2(
-      "div",
-      { class: "near" },
-      element2("table", { class: "beside" }, element2("thead", {}, element2("tr", {}, ...head2.map((each) => element2("th", { scope: "col" }, each)))), element2("tbody", {}, ...body.map(line4))),
-      element2("p", { class: "apart" }, apart),
-      element2("p", {}, element2("b", {}, "To join them: "), edit),
-      element2("p", { class: "note" }, "See ", channelReference(page, giver.channel), " and ", channelReference(page, taker.channel))
-    );
-  }
-  function remapRows(giver, taker) {
-    const steps = (each) => each.remaps.filter(([from, to]) => from !== to).map(([, to]) => to);
-    const [left, right] = [steps(giver), steps(taker)];
-    return Array.from({ length: Math.max(left.length, right.length) }, (_, at) => [`after remap ${at + 1}`, left[at] ?? "", right[at] ?? ""]);
-  }
-  var nameOf = (model, each) => {
-    var _a;
-    return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.name) ?? "";
-  };
-  function unknownNote(model, nodes) {
-    const names2 = nodes.flatMap((each) => {
-      var _a, _b;
-      return ((_a = model.entry.nodes[each]) == null ? void 0 : _a.knowledge) === "unknown" ? [(_b = model.entry.nodes[each]) == null ? void 0 : _b.name] : [];
-    });
-    return names2.length > 0 && element2("p", { class: "note" }, `What ${names2.join(" and ")} ${names2.length > 1 ? "do" : "does"} is not known, so more may connect them.`);
-  }
-  function topicPanel(page, model, node, channel) {
-    var _a, _b;
-    const name = ((_a = model.entry.channels[channel]) == null ? void 0 : _a.name) ?? "";
-    const own = (model.ofNode[node] ?? []).filter((each) => each.channel === channel);
-    const title2 = heading("A node and a name", `${((_b = model.entry.nodes[node]) == null ? void 0 : _b.name) ?? ""} and ${name}`, []);
-    if (own.length > 0) return [...title2, block("Connected", list(own.map((each) => element2("div", {}, nodeReference(page, node), ` ${does(each.role)} `, channelReference(page, channel)))))];
-    const others = [...new Set((model.onChannel[channel] ?? []).map((each) => each.node))].filter((each) => each !== node);
-    const near = others.flatMap((other) => [...nearMisses(model, other, node, (place2) => page.model.place(place2)), ...nearMisses(model, node, other, (place2) => page.model.place(place2))]);
-    const about = near.filter((each) => each.giver.channel === channel || each.taker.channel === channel).slice(0, 3);
-    return [
-      ...title2,
-      about.length > 0 ? block("Not connected", ...about.map((each) => nearItem(page, model, each))) : block("Not connected", element2("p", {}, "Nothing that the node gives or takes is like this name.")),
-      unknownNote(model, [node])
-    ];
   }
 
   // launchlint/report/html/js/page/panel_node.js

@@ -81,6 +81,14 @@ def test_why_does_one_not_hear_the_other(steps):
     assert fragment(task.page).startswith("pair=n(/docking)")
 
 
+def test_why_does_a_node_not_hear_this_topic(steps):
+    task = steps()
+    task.search("/base/ticks")
+    task.do(lambda page: page.locator("#panel input.pair").fill("/mystery"))
+    assert fragment(task.page).startswith("pair=n(/mystery)")
+    assert any("/base/ticks" in line for line in task.panel)
+
+
 def test_where_is_this_name_made(steps):
     task = steps()
     task.search("detector")

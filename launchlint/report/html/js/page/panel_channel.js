@@ -3,6 +3,7 @@
 import { element } from "./elements.js";
 import { isIn, mayBeAt } from "./model.js";
 import { badge, block, connectionFacts, findingsBlock, heading, list, presenceBlock, sourceBlock } from "./panel_blocks.js";
+import { pairField } from "./panel_pair.js";
 import { nodeReference } from "./reference.js";
 import { missed, nounOf, ROLE_ORDER } from "./wording.js";
 
@@ -47,6 +48,7 @@ export function channelPanel(page, model, index) {
     ...heading(noun, channel.name, badges),
     types.length > 0 ? list(types, "types") : element("p", { class: "note" }, "Its type is not known."),
     findingsBlock(page, channel.findings),
+    !channel.hub && !channel.plumbing && pairField(page, model, `c:${index}`),
     ...sides,
     offered !== used && aloneBlock(page, model, index, offered ? offering : using, offered),
   ];

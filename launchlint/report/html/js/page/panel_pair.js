@@ -17,22 +17,23 @@ import { nearMisses, pathBetween } from "./why.js";
 const OFFERED = 600;
 
 /**
- * A field that takes a second node, or a topic, and asks how both are connected.
+ * A field that takes a second node, or a topic where the first is a node, and asks how both are connected.
  *
  * @param {Page} page
  * @param {EntryModel} model
- * @param {string} id of the first
+ * @param {string} id of the first, a node or a channel
  */
 export function pairField({ store }, model, id) {
   /** @type {Map<string, string>} */
   const names = new Map();
   for (const [index, node] of model.entry.nodes.entries()) if (`n:${index}` !== id && !names.has(node.name)) names.set(node.name, `n:${index}`);
-  if (id.startsWith("n:")) for (const [index, { name, hub, plumbing }] of model.entry.channels.entries()) if (!hub && !plumbing && !names.has(name)) names.set(name, `c:${index}`);
+  const isNode = id.startsWith("n:");
+  if (isNode) for (const [index, { name, hub, plumbing }] of model.entry.channels.entries()) if (!hub && !plumbing && !names.has(name)) names.set(name, `c:${index}`);
   const offers = element("datalist", { id: "pair-names" }, ...[...names.keys()].slice(0, OFFERED).map((name) => element("option", { value: name })));
-  const field = element("input", { type: "search", list: "pair-names", placeholder: "Why does it not hear …", "aria-label": "Another node or topic: why are they not connected?", class: "pair", autocomplete: "off" });
+  const field = element("input", { type: "search", list: "pair-names", placeholder: isNode ? "Why does it not hear …" : "Why is it not connected with …", "aria-label": isNode ? "Another node or topic: why are they not connected?" : "A node: why are they not connected?", class: "pair", autocomplete: "off" });
   const ask = () => {
     const other = names.get(field.value.trim());
-    if (other) store.set({ selection: { kind: "pair", id: `${id}|${other}` } });
+    if (other) store.set({ selection: { kind: "pair", id: isNode ? `${id}|${other}` : `${other}|${id}` } });
   };
   field.addEventListener("input", ask);
   return element("p", { class: "pair-host" }, field, offers);
