@@ -133,6 +133,23 @@ def test_a_package_that_is_not_on_this_machine_is_no_refusal(repository: Path) -
     assert (entry["verdict"], entry["why"], entry["complete"]) == ("cannot be told", "it needs the package turtlebot3_bringup", False)
 
 
+def test_nobody_says_that_no_nodes_are_started_where_that_is_not_known(repository: Path) -> None:
+    for name, gives in (("open", "somewhere.actions()"), ("empty", "[]")):
+        program = (
+            "import somewhere\nfrom launch import LaunchDescription\n\n\n"
+            f"def generate_launch_description():\n    return LaunchDescription({gives})\n"
+        )
+        (repository / "demo" / "launch" / f"{name}.launch.py").write_text(program, encoding="utf-8")
+    html = page("demo/launch/open.launch.py", "demo/launch/empty.launch.py")
+    assert "Nothing to draw: which nodes are started is not known." in html
+    assert "Nothing to draw: no node is started." in page("demo/launch/empty.launch.py")
+    opened, empty = sorted(html.split('<li class="card')[1:], key=lambda card: "open.launch.py" not in card)
+    assert 'class="no-picture">no nodes known<' in opened
+    assert "not all could be followed" in opened
+    assert 'class="no-picture">no nodes<' in empty
+    assert "not all could be followed" not in empty.partition("</li>")[0]
+
+
 def test_a_page_about_fifty_nodes_is_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
