@@ -199,7 +199,7 @@ def test_a_baseline_is_left_alone(typo: Path) -> None:
 
 def test_the_cache_knows_what_was_written(typo: Path) -> None:
     write(typo, {f"demo/launch/more{number}.launch": MISSPELT for number in range(30)})
-    assert concise(typo).output.count("LL104") == 31
+    assert "has no attribute respwan (and at 30 more places)" in concise(typo).output
     assert concise(typo, "--fix") == (1, LEFT, "launchlint: fixed 31 findings in 31 files\n")
     assert concise(typo) == (1, LEFT, "")
 
