@@ -127,6 +127,14 @@ def _hostile(directory: Path) -> Path:
     return _written(directory, "hostile.launch", "--library", "library.json", "--title", "<b>hostile</b>")
 
 
+def _hostile_cards(directory: Path) -> Path:
+    """The same beside another launch file whose own name is hostile: a page that begins with a card of each."""
+    write_hostile(directory)
+    node = '<node pkg="demo" type="&lt;b&gt;talk&lt;/b&gt;" name="a"/>'
+    (directory / "<img src=x onerror=alert(1)>.launch").write_text(f"<launch>{node}</launch>")
+    return _written(directory, "--library", "library.json", "--title", "<b>hostile</b>")
+
+
 def _empty(directory: Path) -> Path:
     directory.mkdir()
     (directory / "empty.launch").write_text('<launch><param name="a" value="1"/></launch>')
@@ -212,6 +220,7 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "robot": _robot,
     "changed": _changed,
     "hostile": _hostile,
+    "hostile_cards": _hostile_cards,
     "empty": _empty,
     "unknown": _unknown,
     "between": _between,

@@ -55,3 +55,11 @@ def test_names_can_be_searched_for(open_report):
         field.press("Enter")
         drawn(page)
     assert page.locator(INJECTED).count() == 0
+
+
+def test_cards_of_hostile_launch_files(open_report):
+    page = open_report("hostile_cards", "#")
+    cards = page.locator("#landing .card")
+    assert cards.count() > 1
+    assert any("<img src=x onerror=alert(1)>.launch" in each for each in cards.all_text_contents())
+    assert page.locator("#landing img, #landing script").count() == 0
