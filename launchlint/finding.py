@@ -107,6 +107,7 @@ class Finding(NamedTuple):
     that show it. ``entries``: from how many entry files it is reached. ``element``: the normalised element text that the fingerprint is
     made from. ``topic`` tells apart several findings of one rule at one place (a missing arg's name, say); it is never shown. ``cause``:
     findings that have the same one (what is to be mended once for all of them) are told as one. ``launcher`` starts the entry file.
+    ``about``: names that the message holds, in an order of the rule's own, for what is said of several findings at once.
     """
 
     rule: str
@@ -127,6 +128,7 @@ class Finding(NamedTuple):
     topic: str = ""
     cause: str = ""
     launcher: str = "roslaunch"
+    about: tuple[str, ...] = ()
 
     @property
     def key(self) -> Key:

@@ -301,6 +301,24 @@ def test_groups_of_rules_hold_rules_only() -> None:
     assert [f"{entry.module} imports {entry.target}" for entry in judging if entry.target.startswith(known)] == []
 
 
+_TAKE_OUT = frozenset({"partition", "rpartition", "removeprefix", "removesuffix", "split", "rsplit", "replace", "find", "index"})
+
+
+def test_no_rule_takes_text_out_of_a_message() -> None:
+    """What is said of several findings is made of :attr:`Finding.about`."""
+    found = [
+        f"{path.relative_to(PACKAGE)}:{node.lineno}"
+        for room in ("rules", "check")
+        for path in sorted((PACKAGE / room).rglob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Attribute)
+        and node.attr in _TAKE_OUT
+        and isinstance(node.value, ast.Attribute)
+        and node.value.attr == "message"
+    ]
+    assert found == []
+
+
 @pytest.mark.parametrize("path", MODULES.values(), ids=MODULES.keys())
 def test_module_is_one_room_with_a_name_that_says_something(path: Path) -> None:
     assert path.stem not in SAYS_NOTHING

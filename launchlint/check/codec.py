@@ -147,7 +147,7 @@ def _finding_to_json(finding: Finding) -> list[Any]:
 
 def _finding_from_json(value: Any) -> Finding:
     rule, name, severity, location, message, label, related, chain, notes, help_, entry, arguments, entries, *more = value
-    element, fix, topic, cause, launcher = more
+    element, fix, topic, cause, launcher, about = more
     return Finding(
         rule,
         name,
@@ -167,4 +167,5 @@ def _finding_from_json(value: Any) -> Finding:
         topic,
         cause,
         launcher,
+        tuple(about),
     )

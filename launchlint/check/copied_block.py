@@ -11,7 +11,6 @@ from launchlint.rules.judging.joined import joined, led_by
 
 PREFIX = "block "
 _ARG, _NODE, _PARAM = "LL203", "LL301", "LL504"
-_NAMED = "two nodes are named "
 _MOST_NAMED = 3
 _EACH = "remove one of each two, or give it a name of its own"
 
@@ -75,7 +74,7 @@ def told_together(findings: Sequence[Finding]) -> Finding:
     """One for a block: the args that are declared twice, or else the nodes of one name each, by their names."""
     args = [each for each in findings if each.rule == _ARG]
     told = led_by(findings, _ARG, _NODE)
-    nodes = list(dict.fromkeys(each.message.removeprefix(_NAMED) for each in findings if each.message.startswith(_NAMED)))
+    nodes = list(dict.fromkeys(each.about[0] for each in findings if each.rule == _NODE and each.about))
     named = ", ".join(nodes[:_MOST_NAMED]) + (f" and {len(nodes) - _MOST_NAMED} more" if len(nodes) > _MOST_NAMED else "")
     if args and nodes:
         from launchlint.rules.args.arg_redeclared import together
@@ -98,8 +97,8 @@ def _twice(finding: Finding) -> _Twice | None:
     if here.path != other.path:
         return None
     if finding.rule == _PARAM:  # told where the value stands that counts for nothing, which is the first
-        return _Twice(finding, here.start, other.start, finding.message.partition(" is set to ")[0].rpartition("/")[0])
-    return _Twice(finding, other.start, here.start, finding.message.removeprefix(_NAMED))
+        return _Twice(finding, here.start, other.start, finding.about[0])
+    return _Twice(finding, other.start, here.start, finding.about[0] if finding.about else "")
 
 
 def _cause(finding: Finding) -> str:

@@ -56,7 +56,7 @@ def _is_loss(finding: Finding) -> bool:
 
 def _as_written(finding: Finding) -> tuple[object, ...]:
     """What is the same in copies of a launch file: its name, and what it says, the packages aside."""
-    name, missing = posixpath.basename(finding.location.path), posixpath.basename(finding.message)
+    name, missing = posixpath.basename(finding.location.path), posixpath.basename(finding.about[0]) if finding.about else finding.message
     return (finding.rule, finding.severity, name, missing, _PACKAGE.sub("$(find)", finding.element))
 
 

@@ -18,7 +18,7 @@ from launchlint.check.options import Options
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
 from launchlint.workspace.source_lists import is_source_list
 
-FORMAT = 8
+FORMAT = 9
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""

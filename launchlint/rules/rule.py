@@ -79,11 +79,12 @@ class Rule(NamedTuple):
         topic: str = "",
         cause: str = "",
         shared_cause: str = "",
+        about: tuple[str, ...] = (),
     ) -> Finding:
         """Make the finding of this rule at ``where``. ``message`` and ``help`` are single lines without a full stop.
 
         ``topic`` tells apart several findings of this rule at one place. Findings of this rule with the same ``cause`` are told as one,
-        and so are findings of several rules with the same ``shared_cause``.
+        and so are findings of several rules with the same ``shared_cause``; ``about`` is what :attr:`Finding.about` says.
         """
         origin = where if isinstance(where, Origin) else Origin(where)
         source, span = origin.place
@@ -98,6 +99,7 @@ class Rule(NamedTuple):
             topic=topic,
             cause=cause,
             shared_cause=shared_cause,
+            about=about,
         )
         return finding._replace(
             related=tuple(Related(Location.of(place), shortened(text)) for place, text in related),
@@ -118,6 +120,7 @@ class Rule(NamedTuple):
         topic: str = "",
         cause: str = "",
         shared_cause: str = "",
+        about: tuple[str, ...] = (),
         element: str = "",
     ) -> Finding:
         """As :meth:`at`, where the place is no longer at hand; ``element`` is what the fingerprint is made from."""
@@ -134,6 +137,7 @@ class Rule(NamedTuple):
             fix=_bounded(fix),
             topic=topic,
             cause=shared_cause or (cause and f"{self.id} {cause}"),
+            about=tuple(shortened(each) for each in about),
         )
 
     def fine(self, where: Origin | Place, topic: str = "") -> Fine:

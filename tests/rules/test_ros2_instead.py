@@ -6,11 +6,17 @@ import pytest
 
 from launchlint.rules.judging.ros2_instead import instead_of
 from launchlint.rules.ros2.remap_kills_node import _mended
-from launchlint.source import Place, Source, Span
+from launchlint.source import Source, Span
+from launchlint.syntax.ros2.description import Substitution
+from launchlint.syntax.ros2.substitutions import parse
+from launchlint.syntax.ros2.tables import distribution
+from launchlint.syntax.ros2.written import InYaml
 
 
-def place(written: str, before: str = "- name: ") -> Place:
-    return Place(Source("main.launch.yaml", before + written), Span(len(before), len(before) + len(written)))
+def proposed(name: str, written: str, before: str = "- name: ") -> str:
+    value = InYaml(written, Source("main.launch.yaml", before + written), Span(len(before), len(before) + len(written)))
+    piece = parse(value, distribution("rolling"), []).pieces[0]
+    return instead_of(name, piece.arguments if isinstance(piece, Substitution) else (), value.place)
 
 
 @pytest.mark.parametrize(
@@ -30,11 +36,11 @@ def place(written: str, before: str = "- name: ") -> Place:
     ],
 )
 def test_what_does_the_same(name: str, written: str, expected: str) -> None:
-    assert instead_of(name, place(written)) == expected
+    assert proposed(name, written) == expected
 
 
 def test_quotes_in_xml_are_written_as_attributes_take_them() -> None:
-    assert instead_of("equals", place("$(equals a b)", '<let name="x" value="')) == "$(eval &quot;'a' == 'b'&quot;)"
+    assert proposed("equals", "$(equals a b)", '<let name="x" value="') == "$(eval &quot;'a' == 'b'&quot;)"
 
 
 @pytest.mark.parametrize(

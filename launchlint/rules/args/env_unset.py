@@ -49,6 +49,7 @@ from launchlint.rules.judging.secret_names import is_secret
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.spelling import one_slip
+from launchlint.syntax.parts import Literal, Parts, Substitution
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document
 from launchlint.workspace.looking import names
@@ -67,8 +68,6 @@ OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE"
 
 _SET_BY = "the public package"
 _SEVERAL = 2
-_IN_PACKAGE = re.compile(r"\$\(find ([\w-]+)\)/([\w./-]+)/[\w-]*$")
-"""A path as far as a directory in a package, and perhaps the first letters of a name in it."""
 OF_A_SITE = "the launch files read"
 SECRET = "it holds a secret, by its name: it belongs into no file, and without it nothing is to start"
 
@@ -163,12 +162,21 @@ def _as_input(problem: EnvUnset, view: LaunchView) -> str:
         return ""
     if at.element.tag == "arg" and at.attribute.name == "default":
         return "it is the default of an arg: an input of whoever starts this"
-    before = parts_of(at.attribute).text.partition("$(env")[0]
-    found = _IN_PACKAGE.search(before)
-    package = None if found is None else view.packages.get(found[1], view.launch.entry.file)
-    if found is None or package is None or len(names(posixpath.join(package.directory, found[2]))) < _SEVERAL:
+    package, directory = _directory_before(parts_of(at.attribute))
+    found = view.packages.get(package, view.launch.entry.file) if directory else None
+    if found is None or len(names(posixpath.join(found.directory, directory))) < _SEVERAL:
         return ""
-    return f"it chooses one of what is in {found[2]} of {found[1]}: an input of whoever starts this"
+    return f"it chooses one of what is in {directory} of {package}: an input of whoever starts this"
+
+
+def _directory_before(parts: Parts) -> tuple[str, str]:
+    """The package and, below it, the directory of ``$(find package)/directory/name$(env …``; the latter is empty for any other value."""
+    variable = next(parts.substitutions("env"), None)
+    before = [] if variable is None else [part for part in parts.parts if part.end <= variable.start]
+    path, package = (before.pop(), before.pop()) if len(before) > 1 else (None, None)
+    if not isinstance(path, Literal) or not path.text.startswith("/") or not isinstance(package, Substitution) or package.command != "find":
+        return "", ""
+    return package.only, posixpath.dirname(path.text[1:])
 
 
 def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:

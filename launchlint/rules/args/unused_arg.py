@@ -70,7 +70,8 @@ from launchlint.rules.view import FileView, LaunchView, of_ros2
 from launchlint.rules.wording import words_at, words_of
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.spelling import closest, distance, folded, is_part
-from launchlint.syntax.ros1.substitutions import expression_in, parts_of, slip
+from launchlint.syntax.parts import Literal, Malformed, Parts, Substitution
+from launchlint.syntax.ros1.substitutions import expression_in, parts_of
 from launchlint.syntax.tree import Comment, Document, Element
 
 _LONGEST_DECLARATION = 2_000
@@ -85,8 +86,7 @@ _MOST_UNDECLARED = 40
 """Names that a file reads and does not declare, with each of which an arg that it does not read is compared."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
-# Not the grammar of substitutions: whatever looks like a read counts as one, closed or not, also in comments. What is wrong with it is told
-# by other rules.
+# Not the grammar of substitutions: in text that stands for itself and in comments whatever looks like a read is one, closed or not.
 READ = late(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
 WORD = late(r"[^\W\d]\w*")
 MARKUP = late(r"<[^<>]*>")
@@ -316,22 +316,31 @@ def _names_read(document: Document) -> set[str] | None:
             if attribute.name == "pass_all_args" and (value.lower() == "true" or "$" in value):
                 return None
             if "arg" in value or "$" in value:
-                names.update(READ.findall(value))
-            if "$" in value and (found := slip(parts_of(attribute))) is not None:
-                names.update(word.text for word in found.words)
-            start = value.find("$(eval")
-            if start >= 0:
-                expression = value[start + 6 :]
-                if COMPUTED_NAME.search(expression):
+                read = _names_in_value(parts_of(attribute))
+                if read is None:
                     return None
-                names.update(WORD.findall(expression))
+                names |= read
         if element.texts and "arg" in element.text:
             names.update(_names_in(element.text))
     return names
 
 
+def _names_in_value(parts: Parts) -> set[str] | None:
+    """Names that a value reads, or means to where roslaunch does not take it so; ``None`` where it computes one."""
+    code = "" if parts.expression is None else parts.expression.code
+    names = {word.text for part in parts.substitutions("arg") for word in part.words[1:]}
+    for part in parts.parts:
+        if isinstance(part, Literal):
+            names.update(READ.findall(part.text))
+        elif isinstance(part, Malformed):
+            names.update(word.text for word in part.words)
+        if isinstance(part, (Substitution, Malformed)) and part.words and part.words[0].text == "eval":
+            code = parts.text  # among other text; where it ends, nobody knows
+    return None if COMPUTED_NAME.search(code) else names.union(WORD.findall(code))
+
+
 def _names_in(text: str) -> set[str]:
-    """Names that the substitutions in ``text`` read."""
+    """Names that what looks like a substitution in ``text`` reads."""
     return {*READ.findall(text), *WORD.findall(" ".join(EVAL.findall(text)))} if "(" in text else set()
 
 

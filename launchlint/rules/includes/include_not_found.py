@@ -109,7 +109,7 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
             problem.origin, f"the included file {shown(file, root)} cannot be loaded: {problem.reason}",
             severity=Severity.INFO if environment else None, label="included here",
             notes=("roslaunch stops with: Invalid roslaunch XML syntax",), help="mend that file, or include another one",
-            shared_cause="" if environment or not problem.malformed else malformed(file),
+            shared_cause="" if environment or not problem.malformed else malformed(file), about=(shown(file, root),),
         )  # fmt: skip
         return
     reason = problem.reason
@@ -172,6 +172,7 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         or (moved(file, meant) if severity is None and repair is not None else "")
         or (lacking(file) if severity is None and advice.startswith(_CORRECT) and not relative and installed is None else "")
         or ("" if relative or environment or installed is not None else cause_of(file, maker)),
+        about=(named,) if file else (),
     )
 
 
@@ -187,13 +188,9 @@ def together(findings: Sequence[Finding]) -> Finding:
         same = (each for each in findings if each.rule == RULE.id and each.message == findings[0].message)
         near = next((each for each in same if each.help.startswith("did you mean")), None)
         told = told if near is None else joined(findings, near)
-    told = told_as_moved(told, findings, [_named(each) for each in findings if each.rule == RULE.id], "included files")
+    told = told_as_moved(told, findings, RULE.id, "included files")
     portable = next((each for each in findings if each.rule == "LL406"), None)  # the same name, as it is written
     return told if portable is None or told.help != _CORRECT else told._replace(help=portable.help)
-
-
-def _named(finding: Finding) -> str:
-    return finding.message.removeprefix("the included file ").removesuffix(" does not exist")
 
 
 def _keeps_args(written: str, meant: str) -> bool:

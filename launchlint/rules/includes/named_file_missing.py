@@ -213,13 +213,13 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         help=advice if maker is None else maker.help,
         topic=path,
         shared_cause=("" if severity is Severity.INFO else lacking(path) if near is None else moved(path, near)) or cause_of(path, maker),
+        about=(shown(path, root),),
     )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """What is missing for one reason, by the names of the files."""
-    files = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
-    return told_as_moved(joined(findings), findings, files, "files")
+    return told_as_moved(joined(findings), findings, RULE.id, "files")
 
 
 def _hangs_on_environment(origin: Origin, view: LaunchView) -> bool:

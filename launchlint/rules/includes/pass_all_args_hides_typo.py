@@ -91,19 +91,19 @@ def tell(problem: PassAllHidesTypo, view: LaunchView) -> Iterator[Finding]:
         help=f"did you mean {near}?" if near is not None else "remove it, or declare it there",
         fix=passed_under(view, problem.place, name, near),
         cause=file if near is None else f"{file} {name}",
+        about=(file, name),
     )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """All that is passed to one file for nothing, by the names of the args."""
     told = joined(findings)
-    names = list(dict.fromkeys(each.message.rpartition(" ")[2] for each in findings))
+    names = list(dict.fromkeys(each.about[1] for each in findings))
     if len(names) < 2:
         return told
     more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-    before = findings[0].message.rpartition(" the arg ")[0]
     return told._replace(
-        message=f"{before} the args {', '.join(names[:_MOST_NAMED])}{more}",
+        message=f"nothing in {findings[0].about[0]} knows the args {', '.join(names[:_MOST_NAMED])}{more}",
         help="remove them, or declare them there",
     )
 

@@ -47,9 +47,9 @@ def lacking(path: str) -> str:
     return f"{_LACKING}{directory} *{posixpath.splitext(name)[1]}" if exists(directory) and not exists(path) else ""
 
 
-def told_as_moved(told: Finding, findings: Sequence[Finding], files: Sequence[str], what: str) -> Finding:
-    """``told``, which speaks for all ``findings`` of one cause, with the ``files`` that these are about; ``what`` they are, in words."""
-    named = list(dict.fromkeys(files))
+def told_as_moved(told: Finding, findings: Sequence[Finding], rule: str, what: str) -> Finding:
+    """``told``, which speaks for all ``findings`` of one cause, with the files of those of ``rule``; ``what`` they are, in words."""
+    named = list(dict.fromkeys(each.about[0] for each in findings if each.rule == rule and each.about))
     if not told.cause.startswith((_MOVED, _LACKING, COPIES)) or len(named) < 2:
         return told
     more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""

@@ -174,6 +174,7 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
         notes=tuple(notes),
         help=advice,
         cause=f"{source.path} {file}" if relative else f"not there {file}",
+        about=(named,) if file else (),
     )
 
 

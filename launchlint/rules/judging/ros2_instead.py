@@ -2,42 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from launchlint.source import Place
+from launchlint.syntax.ros2.description import Text
 
 _MOST_LETTERS = 2_000
 
 
-def instead_of(name: str, place: Place) -> str:
-    """What to write for the substitution ``name`` at ``place``, with its own words; empty where there is nothing like it."""
+def instead_of(name: str, words: Sequence[Text], place: Place) -> str:
+    """What to write for the substitution ``name`` at ``place``, with its ``words``; empty where there is nothing like it."""
     made = _INSTEAD.get(name)
-    text = place.text
-    if made is None or len(text) > _MOST_LETTERS or not text.startswith("$("):
+    if made is None or place.span.end - place.span.start > _MOST_LETTERS or not place.text.startswith("$("):
         return ""
-    words = _words(text[2:-1])[1:]
+    written = [each.place.text.replace("&quot;", '"').replace("&apos;", "'") for each in words]
     quote = "&quot;" if place.source.text.lstrip().startswith("<") else '"'
     try:
-        return made(words, quote)
+        return made(written, quote)
     except (IndexError, ValueError):
         return ""
-
-
-def _words(text: str) -> list[str]:
-    """The words of a substitution, without the quotes around them; those in parentheses stay together."""
-    words: list[str] = []
-    word, depth, quoted = "", 0, ""
-    for char in text.replace("&quot;", '"').replace("&apos;", "'"):
-        if char == quoted or (not quoted and depth == 0 and char in "'\""):
-            quoted = "" if quoted else char
-            continue
-        depth += 0 if quoted else (char == "(") - (char == ")")
-        if char == " " and not quoted and depth == 0:
-            words.append(word)
-            word = ""
-        else:
-            word += char
-    return [*words, word]
 
 
 def _compared(sign: str) -> Callable[[list[str], str], str]:

@@ -38,6 +38,7 @@ def one_name(problem: DuplicateNode, rule: Rule, view: LaunchView) -> Iterator[F
         cause=f"{[place.key for node in (first, second) for place in node.origin.chain]} {second.origin.place.source.path}"
         if second.origin.chain or first.origin.chain
         else name,
+        about=() if twice else (name,),
     )
 
 

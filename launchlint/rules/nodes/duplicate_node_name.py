@@ -105,6 +105,7 @@ def tell(problem: DuplicateNode, view: LaunchView) -> Iterator[Finding]:
         related=related,
         notes=notes,
         cause=_cause(first, second, tried, view),
+        about=() if twice else (name,),
         help="let one arg choose between the two, with if and unless"
         if switches
         else _removed(first, second)[1]

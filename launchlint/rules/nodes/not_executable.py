@@ -121,7 +121,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
         doubtful = any(condition.assumed for condition in node.conditions)
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
-            f"{node.executable} cannot be run: {wrong}",
+            f"{node.executable} cannot be run: it has {wrong}",
             severity=Severity.INFO if wrapped or installed or made is not None else Severity.WARNING if doubtful else None,
             label=f"{node.executable} cannot be run",
             related=((line_of(flaw.path, root), "its first line"),),
@@ -129,6 +129,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             help=help,
             topic=path,
             cause=f"{flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed} {wrapped} {doubtful}",
+            about=(wrong,),
         )
 
 
@@ -140,7 +141,7 @@ def together(findings: Sequence[Finding]) -> Finding:
         return whole
     names = [posixpath.basename(script) for script in scripts]
     more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-    wrong = findings[0].message.partition("cannot be run: it has ")[2].partition(" (and at ")[0]
+    wrong = findings[0].about[0]
     helps = list(dict.fromkeys(finding.help for finding in sorted(findings, key=lambda finding: finding.topic)))
     return whole._replace(
         message=f"{len(names)} scripts cannot be run: they have {wrong}: {', '.join(names[:_MOST_NAMED])}{more}",
@@ -152,5 +153,5 @@ def _words(path: str, lacks_bit: bool, lacks_shebang: bool) -> tuple[str, str]:
     line = "put a line such as #!/usr/bin/env python3 at its top"
     mode = f"chmod +x {path}, and git update-index --chmod=+x {path}"
     if lacks_bit and lacks_shebang:
-        return "it has neither the executable bit nor a #! line", f"{line}, then {mode}"
-    return ("it has no executable bit", mode) if lacks_bit else ("it has no #! line", line)
+        return "neither the executable bit nor a #! line", f"{line}, then {mode}"
+    return ("no executable bit", mode) if lacks_bit else ("no #! line", line)

@@ -120,7 +120,6 @@ LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
 _COPIES = 3
 """Packages that lack the same of which nobody wants to read one by one."""
-_THAT_ITS = "that its"
 BUILT_ONLY = "for building only"
 TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
@@ -317,9 +316,9 @@ def together(findings: Sequence[Finding]) -> Finding:
         added = [finding.topic for finding in findings if finding.fix in fixes]
         message = f"add {len(fixes)} dependencies" if len(fixes) == len(findings) else f"add {listed(added, MOST_NAMED)}, not the others"
         fix = Fix(message, fixes[0].safe, (whole,))
-    lacks = "does not declare for running" if any(finding.label == BUILT_ONLY for finding in findings) else "does not declare"
+    lacking = f"{'for running ' if any(each.label == BUILT_ONLY for each in findings) else ''}{len(names)} packages"
     return first._replace(
-        message=f"{first.location.path} {lacks} {len(names)} packages {_THAT_ITS} launch files use: {listed(names, MOST_NAMED)}",
+        message=f"{first.location.path} does not declare {lacking} that its launch files use: {listed(names, MOST_NAMED)}",
         label="not declared here",
         related=tuple(related._replace(label=f"{finding.topic} is used here") for finding in findings for related in finding.related),
         notes=(
@@ -332,20 +331,21 @@ def together(findings: Sequence[Finding]) -> Finding:
         help=f"{help}, and so on" if help.startswith("add ") else help,
         fix=fix,
         topic="",
+        about=(lacking, listed(names, MOST_NAMED)),
     )
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for several packages that lack the same two or more packages: one was made after the other. Each finding is of one package."""
-    alike: dict[tuple[Severity, str], list[Finding]] = {}
+    alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
     for finding in findings:
-        lacking = finding.message.removeprefix(f"{finding.location.path} does not declare ")
-        alike.setdefault((finding.severity, lacking), []).append(finding)
+        alike.setdefault((finding.severity, finding.about or (finding.message,)), []).append(finding)
     for (_, lacking), several in alike.items():
-        if len(several) < _COPIES or f" {_THAT_ITS}" not in lacking:
+        if len(several) < _COPIES or not several[0].about:
             yield from several
             continue
-        yield joined(several)._replace(message=f"{len(several)} packages do not declare {lacking.replace(_THAT_ITS, 'that their', 1)}")
+        many, named = lacking
+        yield joined(several)._replace(message=f"{len(several)} packages do not declare {many} that their launch files use: {named}")
 
 
 def _is_beside(name: str, packages: Packages, near: str) -> bool:

@@ -139,6 +139,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             help=_help(place),
             topic=place.path,
             cause=f"{severity.word} {place.package.directory} {top}",
+            about=(place.package.name,),
         )
 
 
@@ -154,9 +155,7 @@ def together(findings: Sequence[Finding]) -> Finding:
     files = sorted({finding.topic for finding in findings})
     if len(files) < 2:
         return whole
-    return whole._replace(
-        message=findings[0].message.replace(f"{findings[0].topic} of", f"{', '.join(files)} of").replace(" is not", " are not")
-    )
+    return whole._replace(message=f"{', '.join(files)} of the package {findings[0].about[0]} are not installed")
 
 
 def _uses(view: LaunchView) -> Iterator[_Use]:

@@ -162,13 +162,13 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         or (moved(problem.file, near) if severity is None and near is not None and missing else "")
         or (lacking(problem.file) if look and severity is None and near is None else "")
         or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
+        about=(name,) if path else (),
     )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """One for all: text that was meant to be replaced is told before the names of files that have it."""
-    names = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
-    return told_as_moved(led_by(findings, "LL215"), findings, names, "files")
+    return told_as_moved(led_by(findings, "LL215"), findings, RULE.id, "files")
 
 
 def _is_built(file: str, view: LaunchView) -> bool:

@@ -122,6 +122,7 @@ def _finding(again: SetAgain, severity: Severity) -> Finding:
         else "remove one of the two, or put a condition on the second",
         topic=last,
         cause=f"{_NUMBER.sub('#', last)} {_unnumbered(again.old)} {_unnumbered(again.new) if behind else ''}",
+        about=(again.name.rpartition("/")[0],),
     )
 
 

@@ -95,6 +95,7 @@ def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
         help=f"put that include into a {group}, or pass {name} in the include of {problem.place.source.path}",
         topic=name,
         cause=f"{problem.setter} {problem.place.source.path}",
+        about=(group,),
     )
 
 
@@ -105,4 +106,5 @@ def together(findings: Sequence[Finding]) -> Finding:
     if len(names) < 2:
         return told
     message = f"the defaults of {shortened(', '.join(names))} do not count: an include before has left other values"
-    return told._replace(message=message, help=told.help.replace(f"pass {findings[0].topic} in", "pass them in"))
+    advice = f"put that include into a {told.about[0]}, or pass them in the include of {told.location.path}"
+    return told._replace(message=message, help=advice)

@@ -78,7 +78,7 @@ def _word(problem: NotInDistribution) -> Finding:
     )
     instead = _tag_instead(name, words_at(problem.origin)) if problem.what == "tag" else ""
     if problem.what in ("substitution", "words"):
-        instead = instead_of(name, problem.place)
+        instead = instead_of(name, problem.words, problem.place)
     advice = "remove it" if problem.what == "attribute" else "do without it"
     return RULE.at(
         problem.origin,

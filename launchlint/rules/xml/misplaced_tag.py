@@ -94,6 +94,7 @@ def tell(problem: MisplacedTag | MisplacedEntity, view: object) -> Iterator[Find
         notes=(said,),
         help=_advice(tag, parent),
         cause=_cause(problem, view),
+        about=(parent, f"<{tag}> {problem.name}" if problem.name else ""),
     )
 
 
@@ -111,14 +112,14 @@ def _cause(problem: MisplacedTag, view: object) -> str:
 
 def together(findings: Sequence[Finding]) -> Finding:
     """All that stands wrongly in one element: how much, what, and what to do about each kind."""
-    if any(SKIPPED not in finding.label for finding in findings):
+    if not all(finding.about for finding in findings):  # of ROS 2
         return joined(findings)
     findings = sorted(findings, key=lambda finding: (finding.location.path, finding.location.start))
     first = joined(findings)
     own = [finding for finding in findings if finding.location.path == first.location.path]
     files = {finding.location.path for finding in findings}
-    named = [finding.label.removesuffix(f" is {SKIPPED}") if finding.label != SKIPPED else f"<{finding.element}>" for finding in own]
-    parent = first.message.rpartition(" inside ")[2].partition(" (")[0]
+    named = [finding.about[1] or f"<{finding.element}>" for finding in own]
+    parent = f"<{first.about[0]}>"
     more = f" and {len(named) - MOST_NAMED} more" if len(named) > MOST_NAMED else ""
     what = f"{len(own)} elements have no effect inside {parent}: {', '.join(named[:MOST_NAMED])}{more}"
     if len(own) == 1:

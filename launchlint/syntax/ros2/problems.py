@@ -11,6 +11,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Literal
 
+    from launchlint.syntax.ros2.description import Text
+
     Where = Literal["tag", "attribute", "substitution", "words"]
     Broken = Literal["any-all", "modules", "number", "flag"]
     Form = Literal["from-and-name", "neither", "substs-without-from", "value-and-nested", "type-and-nested", "empty"]
@@ -195,7 +197,7 @@ class SubstitutionArity(Problem):
 class NotInDistribution(Problem):
     """What this ``distro`` does not have, and another has ``since`` it (``later``: one newer than the tables).
 
-    ``sure``: no update of the distribution can have brought it.
+    ``sure``: no update of the distribution can have brought it. ``words`` are those of a substitution.
     """
 
     sure: bool
@@ -204,6 +206,7 @@ class NotInDistribution(Problem):
     tag: str
     distro: str
     since: str
+    words: tuple[Text, ...] = ()
 
 
 class BrokenInFrontend(Problem):

@@ -132,6 +132,7 @@ def _absent(substitution: Substitution, what: Where, since: str, distribution: D
             distro=distribution.name,
             since=since,
             sure=distribution.lacks_for_sure(substitution.name, since),
+            words=substitution.arguments,
         )
     )
 
