@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 import click
@@ -106,7 +107,7 @@ def put(data: bytes, output: str | None) -> None:
 
 def _the_file(file: str, entry: EntryOptions, requests: list[EntryRequest]) -> EntryRequest:
     """The one file, with the args of the command line only: what a configuration says of entries and profiles is for checks."""
-    if not requests or requests[0].at != (entry.standard_input or file):
+    if not requests or os.path.abspath(requests[0].at) != os.path.abspath(entry.standard_input or file):
         raise UsageError(f"{file} is no launch file; give one")
     return requests[0]._replace(arguments=entry.arguments)
 

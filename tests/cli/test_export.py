@@ -154,6 +154,20 @@ def test_a_directory_is_no_file(repository: Path) -> None:
     assert (ran.status, ran.output, ran.errors) == (2, "", "launchlint: demo is no launch file; give one\n")
 
 
+def test_however_the_path_is_written(repository: Path) -> None:
+    write(repository, FILES)
+    plain = run(repository, "export", "demo/launch/robot.launch", "--flatten")
+    assert plain.status == 0
+    for path in ("./demo/launch/robot.launch", "demo/../demo/launch/robot.launch"):
+        assert run(repository, "export", path, "--flatten") == plain
+
+
+def test_args_are_kept_in_ros1_only(repository: Path) -> None:
+    write(repository, {"arg.launch.xml": '<launch>\n  <arg name="rate" default="1"/>\n  <log message="$(var rate)"/>\n</launch>\n'})
+    message = "--args-kept is for launch files of ROS 1: in one of ROS 2, any include and any group may change what an arg says"
+    assert run(repository, "export", "arg.launch.xml", "--flatten", "--args-kept") == (2, "", f"launchlint: {message}\n")
+
+
 def test_output_that_cannot_be_written(repository: Path) -> None:
     write(repository, FILES)
     ran = run(repository, "export", "demo/launch/robot.launch", "-o", "no/where.launch")
