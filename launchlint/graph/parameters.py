@@ -56,6 +56,11 @@ class Parameters:
         """Whether the param, or something below it, is certainly set."""
         return name in self._settings or bool(self._names_below(name))
 
+    @property
+    def of_nodes(self) -> Iterator[tuple[str, str, Any, Place]]:
+        """What nodes have for themselves: node, name and value of all that is known, and where the node is written; nothing of a server."""
+        yield from ()
+
     def below(self, name: str) -> Sequence[str]:
         """The full names of what is set below ``name``, in the order of setting."""
         return self._names_below(name)
@@ -111,8 +116,8 @@ class NodeParameters(Parameters):
         self._own = dict(nodes)
 
     @property
-    def all(self) -> Iterator[tuple[str, str, Any, Place]]:
-        """The node, the name and the value of all that is known, and where the node is written."""
+    def of_nodes(self) -> Iterator[tuple[str, str, Any, Place]]:
+        """All that is known, node by node."""
         for full, node in self._own.items():
             for name, (_, value) in sorted((node.own or {}).items()):
                 yield full, name, value, node.origin.place

@@ -11,7 +11,6 @@ from typing import NamedTuple
 from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.graph.doubts import NO_DOUBTS, NOTHING_PARTLY, End, MayBe, Partly
 from launchlint.graph.names import kind as spelling_of
-from launchlint.graph.parameters import NodeParameters
 from launchlint.graph.qos import qos_text
 from launchlint.library.terms import evidence_text
 from launchlint.model import Binary, Command, Condition, Node, Scope, Unknown
@@ -293,9 +292,8 @@ def _channel(channel: Channel) -> TopologyChannel:
 
 
 def _params(graph: ConnectionGraph) -> Iterable[TopologyParam]:
-    if isinstance(graph.parameters, NodeParameters):
-        own = sorted(graph.parameters.all, key=lambda each: each[:2])
-        yield from (TopologyParam(f"{node}:{name}", value_text(value), place_text(place), (node,), ()) for node, name, value, place in own)
+    own = sorted(graph.parameters.of_nodes, key=lambda each: each[:2])
+    yield from (TopologyParam(f"{node}:{name}", value_text(value), place_text(place), (node,), ()) for node, name, value, place in own)
     for name in sorted(graph.launch.parameters):
         setting = graph.launch.parameters[name]
         readers = tuple(sorted({reading.node for reading in graph.readers.get(name, ())}))
