@@ -18,6 +18,7 @@ from launchlint.rules.judging.moved import COPIES, same_directory
 _LOSSES = frozenset(("LL401", "LL411", "LL502"))
 _WITH_PATH = frozenset(("LL401", "LL411"))
 """Those whose message tells the whole path."""
+# Not the grammar of substitutions: a finding has no more than a shown line, in which copies of a file may name another package.
 _PACKAGE = late(r"\$\(find [^()]*\)")
 _MOST_COMPARED = 200
 _DID_YOU_MEAN = "did you mean"

@@ -31,6 +31,7 @@ OF_LAUNCH = frozenset(
 """Those that launch and launch_ros read themselves, whoever sets them."""
 _OPEN = ("file-content", described.NOT_KNOWN, described.CALLED)
 _UNREAD = (described.Opaque, described.Open)
+# Not the grammar of substitutions: for texts that could not be parsed, in which whatever looks like a read is one.
 _READ = late(r"\$\(var ['\"]?([^\s()'\"$]+)")
 _INCLUDED = late(r"<include\b|(?<![\w-])include['\"]?\s*:")
 

@@ -14,6 +14,7 @@ from launchlint.spelling import closest, surely
 from launchlint.syntax.ros2.problems import SubstitutionArity, UnknownSubstitution, UnreadableSubstitution
 
 _NOTES = ("ros2 launch refuses the file, also where the value is never used",)
+# Not the grammar of substitutions: what it finds is one that launch cannot read, and would without these blanks.
 _BLANKS = re.compile(r"\$\( *([A-Za-z][\w-]*)((?: +[^\s'\"()$\\]+)*) *\)")
 _SAME = {"find-package-share": "find-pkg-share", "find-package": "find-pkg-share", "exec-in-package": "exec-in-pkg", "parameter": "param"}
 
