@@ -13,7 +13,8 @@ directory as well, which reads it. It is one, too, where no include passes the a
 it: it has no default (roslaunch asks for it only where it is read, so that such a rest of a template is in nobody's way), or the file is
 a `.test`; where the file holds nothing but args, to keep the place of one that other robots have (as MoveIt's Setup Assistant writes them);
 and where the package is a copy of a public one among packages of other people. All args of one file that are never read are told as one,
-and so are those of the same names in several files, which mostly were copied from each other.
+and so are those of the same names in several files, which mostly were copied from each other; in files of one directory also where some of
+them leave unread only some of these args, two or more.
 
 In ROS 2 an arg is seen by all that is executed after it, passed on or not. There it is told of only where neither its file reads it
 (`$(var …)`) nor any file that is included by it or executed later; not where one of these is in Python or not
@@ -240,7 +241,28 @@ def together(findings: Sequence[Finding]) -> Finding:
         message=f"{len(names)} args are never read: {', '.join(names[:4])}{more}",
         notes=(*result.notes[:1], *([_without_default(bare)] if bare else [])),
         help=f"remove them here and in the includes that pass them, or use them as {written}",
+        about=tuple(names),
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for files of one directory that leave the same args unread, or two or more of the same: one was made from the other."""
+    groups: list[list[Finding]] = []
+    for finding in sorted(findings, key=lambda each: -len(each.about)):
+        longer = next((group for group in groups if finding.about and _is_copied(finding, group[0])), None)
+        if longer is None:
+            groups.append([finding])
+        else:
+            longer.append(finding)
+    for group in groups:
+        yield joined(group, group[0]) if len(group) > 1 else group[0]
+
+
+def _is_copied(finding: Finding, longer: Finding) -> bool:
+    """Whether all args of a told finding are among those of another one of its kind, which is about files of the same directory."""
+    kind = (longer.severity, longer.notes[:1], posixpath.dirname(longer.location.path))
+    same = (finding.severity, finding.notes[:1], posixpath.dirname(finding.location.path)) == kind
+    return same and frozenset(finding.about) <= frozenset(longer.about)
 
 
 def _without_default(names: Sequence[str]) -> str:

@@ -2,7 +2,7 @@
 
 What it does: it looks at the params of which the library knows that the node gives their value to tf2 as it is. tf took the `/` off, and
 many nodes do so themselves: they are not told. It is an info where the workspace names only distributions of ROS that are older than
-Melodic, whose nodes mostly use tf. All such params of one node are told as one.
+Melodic, whose nodes mostly use tf. All such params of one program are told as one: who keeps the `/` keeps it in each configuration.
 
 ## Why it matters
 
@@ -54,7 +54,6 @@ def check(view: GraphView) -> Iterator[Finding]:
             if frame.through != "tf2" or not frame.name.startswith("/") or not frame.certain or setting is None or not is_certain(setting):
                 continue
             old = view.packages.distributions().are_older_than(WITH_TF2)
-            node = instance.node.origin.place
             yield RULE.at(
                 setting.origin,
                 f"{instance.program} gives the frame {frame.name} to tf2, which refuses names that begin with a /",
@@ -66,5 +65,5 @@ def check(view: GraphView) -> Iterator[Finding]:
                 ),
                 help=f"write {frame.name.lstrip('/')}",
                 topic=frame.name,
-                cause=f"{node.source.path} {node.span.start} {instance.name} {instance.program}",
+                cause=f"{RULE.id} {instance.program}",
             )

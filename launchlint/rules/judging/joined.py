@@ -7,6 +7,8 @@ from itertools import pairwise
 
 from launchlint.finding import Edit, Finding, Fix, Related
 
+_ALIKE = ", and the others alike"
+
 
 def spokesman(findings: Sequence[Finding]) -> Finding:
     """Of ``findings`` the worst, of these the one that shows most, of these the first."""
@@ -52,7 +54,7 @@ def _joined_fix(findings: Sequence[Finding]) -> Fix | None:
     if any(_overlap(one, other) for one, other in pairwise(edits)):
         return None
     changes = next((fix.changes for fix in fixes if fix.changes), "")
-    message = fixes[0].message if len(fixes) == 1 else f"{fixes[0].message}, and the others alike"
+    message = fixes[0].message if len(fixes) == 1 or fixes[0].message.endswith(_ALIKE) else f"{fixes[0].message}{_ALIKE}"
     return Fix(message, all(fix.safe for fix in fixes), tuple(edits), changes)
 
 

@@ -33,6 +33,8 @@ _LAUNCH_ENDS = (".launch", ".launch.xml", TEST_END)
 _MOST_DIRECTORIES = 100
 _TESTS = late(r"(?:^|/)tests?/")
 _ADDRESS = late(r"<(?:maintainer|author)\b[^>]*\bemail\s*=\s*[\"']([^\"']+)[\"']")
+_ORIGIN = late(r"<url\b[^>]*\btype\s*=\s*[\"'](?:bugtracker|repository)[\"'][^>]*>\s*https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
+"""Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
 
 
 def why_left_out(name: str, document: Document, home: Package, packages: Packages) -> str:
@@ -78,13 +80,14 @@ def _tries(inside: str) -> bool:
 
 
 def is_copy(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is a public package in a workspace of others: it was released (whence its list of changes), most packages there are
-    not public, and at most a few, which came with it, have its people; or several are not public, and none of these has its people.
+    """Whether ``home`` is a public package in a workspace of others: it was released (whence its list of changes), or says which repository
+    it is from; most packages there are not public, and at most a few, which came with it, have its people or are from its owner; or several
+    are not public, and none of these is theirs.
     """
-    if home.name not in public_names() or home.manifest is None or not is_file(posixpath.join(home.directory, CHANGES)):
+    if home.name not in public_names() or home.manifest is None:
         return False
-    people = _people(home.manifest)
-    if not people:
+    people, origins = _people(home.manifest), _origins(home.manifest)
+    if not people or not (origins or is_file(posixpath.join(home.directory, CHANGES))):
         return False
     own = public = theirs = 0
     for place in packages.places[: len(packages.workspaces)]:
@@ -93,10 +96,10 @@ def is_copy(home: Package, packages: Packages) -> bool:
                 continue
             if each.name in public_names():
                 public += 1
-            elif not people.isdisjoint(_people(each.manifest)):
-                theirs += 1
-            else:
+            elif people.isdisjoint(_people(each.manifest)) and origins.isdisjoint(_origins(each.manifest)):
                 own += 1
+            else:
+                theirs += 1
     return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
 
 
@@ -127,9 +130,18 @@ def _people(manifest: Manifest) -> frozenset[str]:
     return _addresses(manifest.source.text)
 
 
+def _origins(manifest: Manifest) -> frozenset[str]:
+    return _owners(manifest.source.text)
+
+
 @lru_cache(maxsize=4096)  # the manifests of a workspace are asked for each package that is missing anywhere in it
 def _addresses(text: str) -> frozenset[str]:
     return frozenset(address.lower() for address in _ADDRESS.findall(text))
+
+
+@lru_cache(maxsize=4096)
+def _owners(text: str) -> frozenset[str]:
+    return frozenset(owner.lower() for owner in _ORIGIN.findall(text))
 
 
 def _base() -> frozenset[str]:

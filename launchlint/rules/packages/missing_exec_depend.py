@@ -17,10 +17,10 @@ simulation and the controllers that nothing else of the package starts, the assi
 is one, without a fix, where a comment of the launch file or a README tells people to install the package themselves, where only launch
 files need it that were put aside (in a directory `old`, `deprecated`, `attic` …), where the launch file lies among the tests and nothing
 starts it (no `add_rostest`, no `roslaunch_add_file_check`, no other launch file, no script that calls roslaunch), and where the package is
-a copy of a public one, with its `CHANGELOG.rst`, or part of a project with a README and a licence of its own, among packages of other
-people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Of
-several packages of one name, of which LL703 tells, the first is told of. Beside a `manifest.xml` of rosbuild it is the `package.xml` that
-counts; where there is no other, it is an info: rosbuild installs nothing.
+a copy of a public one, with its `CHANGELOG.rst` or the `<url>` of its repository, or part of a project with a README and a licence of its
+own, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of
+`install(DIRECTORY …)` leaves out. Of several packages of one name, of which LL703 tells, the first is told of. Beside a `manifest.xml` of
+rosbuild it is the `package.xml` that counts; where there is no other, it is an info: rosbuild installs nothing.
 
 In packages for ROS 2 these are the packages of nodes and components and those in `$(find-pkg-share …)`; in Python those of `Node` and
 `FindPackageShare`. Launch files that are called tests, or lie in a directory or a package that is, may have theirs among the test
