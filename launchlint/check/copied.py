@@ -12,6 +12,7 @@ from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 
 NOTE = "{} is a copy of a public package, and that is where to mend it"
+NAMED = "{} names another repository as its own, and that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _UNTIDY = frozenset(("LL206", "LL210", "LL303", "LL411", "LL702"))
@@ -46,9 +47,11 @@ def _is_its_own(finding: Finding, package: Package, known: Known) -> bool:
 
 def _note(package: Package, packages: Packages) -> str:
     """Whose copy a package is; empty where it is none."""
-    from launchlint.rules.judging.left_out import is_copy, kept_whole
+    from launchlint.rules.judging.left_out import is_copy, is_from_elsewhere, kept_whole
 
     if is_copy(package, packages):
         return NOTE.format(package.name)
+    if is_from_elsewhere(package, packages):
+        return NAMED.format(package.name)
     project = kept_whole(package, packages)
     return WHOLE.format(package.name, project) if project else ""

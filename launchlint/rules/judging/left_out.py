@@ -50,7 +50,7 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
             return f"{name} is part of {BASE}, the smallest installation, and {home.name} is none of the released packages"
         if _BENCH.search(path) is not None:
             return f"{name} is part of every installation of {BASE}, and it is used to try something out only"
-    if is_copy(home, packages):
+    if is_copy(home, packages) or is_from_elsewhere(home, packages):
         return f"{home.name} is a copy of a public package, and that is where to declare {name}"
     project = kept_whole(home, packages)
     if project:
@@ -80,14 +80,23 @@ def _tries(inside: str) -> bool:
 
 
 def is_copy(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is a public package in a workspace of others: it was released (whence its list of changes), or says which repository
-    it is from; most packages there are not public, and at most a few, which came with it, have its people or are from its owner; or several
-    are not public, and none of these is theirs.
+    """Whether ``home`` is a public package in a workspace of others that was released, whence its list of changes."""
+    return is_file(posixpath.join(home.directory, CHANGES)) and _is_of_others(home, packages)
+
+
+def is_from_elsewhere(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is a public package in a workspace of others that says which repository it is from; it may be changed here."""
+    return home.manifest is not None and bool(_origins(home.manifest)) and _is_of_others(home, packages)
+
+
+def _is_of_others(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is named as a public package, most packages of the workspace are not public, and at most a few, which came with it,
+    have its people or are from its owner; or several are not public, and none of these is theirs.
     """
     if home.name not in public_names() or home.manifest is None:
         return False
     people, origins = _people(home.manifest), _origins(home.manifest)
-    if not people or not (origins or is_file(posixpath.join(home.directory, CHANGES))):
+    if not people:
         return False
     own = public = theirs = 0
     for place in packages.places[: len(packages.workspaces)]:
