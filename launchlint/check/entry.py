@@ -12,7 +12,7 @@ from typing import NamedTuple
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, check_parameters, internal_error, is_left_over, run_rule, tell
 from launchlint.check.listing import Listing
 from launchlint.check.options import EntryRequest, Options
-from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody
+from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody, without_tried
 from launchlint.check.verdict import judged, plainly
 from launchlint.dialects.door import configurations, evaluate, named
 from launchlint.evaluate.assemble import Evaluation
@@ -181,7 +181,7 @@ class EntryChecker:
             for include in evaluation.launch.includes:
                 if include.source is not None:
                     included[include.source.path] = None
-            evaluation = _told_at_declarations(session, request.at, evaluation, pinned)
+            evaluation = without_tried(_told_at_declarations(session, request.at, evaluation, pinned), request.arguments)
             first = first or evaluation
             view = self._view(evaluation, request)
             outcomes.append((evaluation.launch.given, judged(evaluation.launch, view)))
@@ -226,7 +226,8 @@ class EntryChecker:
         session.begin_entry()
         pinned = frozenset(name for name, _ in request.arguments)
         found = islice(configurations(session, request.at, request.arguments), 1 if self.options.default_only else None)
-        evaluations = (_told_at_declarations(session, request.at, evaluation, pinned) for evaluation in found)
+        told = (_told_at_declarations(session, request.at, evaluation, pinned) for evaluation in found)
+        evaluations = (without_tried(each, request.arguments) for each in told)
         first, *others = ((each.launch.given, judged(each.launch, self._view(each, request))) for each in evaluations)
         return first[1].beside(others)
 

@@ -6,8 +6,14 @@ from launchlint.check.file import tell
 from launchlint.check.verdict import ALL_RULES
 from launchlint.dialects.door import named
 from launchlint.finding import Finding, Location, Severity
-from launchlint.model import Launch
+from launchlint.model import ROS1, Launch
 from launchlint.problem import Problem
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Set
+
+    from launchlint.evaluate.assemble import Evaluation
 
 STOPS, WOULD = "stops", "would stop"
 LOADS = "roslaunch loads the file and fails"
@@ -17,6 +23,28 @@ LOADS = "roslaunch loads the file and fails"
 def stops_everybody(problem: Problem, view: object) -> bool:
     """Whether the launcher stops at ``problem`` wherever the file is started, not only for want of what this machine lacks."""
     return problem.refused and any(finding.severity is Severity.ERROR for finding in tell(problem, view, ALL_RULES))
+
+
+def without_tried(evaluation: Evaluation, asked: tuple[tuple[str, str], ...]) -> Evaluation:
+    """``evaluation`` of a launch of ROS 2 that nothing refuses merely for a value that the search for configurations gave to an arg.
+
+    ``asked`` are the args it is started with in any case. Nobody need ever give that value: what is wrong with it may never come to pass.
+    """
+    launch = evaluation.launch
+    tried = {value for name, value in launch.given if (name, value) not in asked}
+    if launch.dialect == ROS1 or not tried:
+        return evaluation
+    problems = tuple(each.but(refused=False, assumed=True) if _is_of(each, tried) else each for each in launch.problems)
+    refused = launch.refused
+    if refused is not None and _is_of(refused, tried):
+        refused = next((each for each in problems if each.refused and each not in launch.late), None)
+    return evaluation._replace(launch=launch._replace(problems=problems, refused=refused))
+
+
+def _is_of(problem: Problem, tried: Set[str]) -> bool:
+    """Whether it says of one of these values that it does not fit, which does not stand where the problem does."""
+    value = vars(problem).get("value")
+    return isinstance(value, str) and value in tried and value not in problem.place.text
 
 
 def put_right(finding: Finding, problem: Problem, before: Problem | None, launch: Launch, asked: tuple[tuple[str, str], ...]) -> Finding:

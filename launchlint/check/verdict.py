@@ -27,6 +27,8 @@ def judged(launch: Launch, view: object) -> Verdict:
     """What its launcher makes of a launch as it stands; ``view`` is the one that rules look at."""
     launcher = named(launch.dialect).launcher
     if launch.refused is None:
+        if not launch.settled:
+            return Verdict("cannot be told", reason=_not_followed(launch), launcher=launcher)
         return LOADS._replace(launcher=launcher)
     missing: dict[str, None] = {}
     reason = ""
@@ -52,6 +54,15 @@ def plainly(problem: Problem) -> str:
     """Why the launcher refuses a file, where the rule for it keeps silent because it need not be a mistake of the file."""
     lacks = problem.lacks
     return f"{' '.join(lacks)} is not here" if lacks else problem.kind.replace("-", " ")
+
+
+def _not_followed(launch: Launch) -> str:
+    """Why it is not known whether launch gets through its files in Python: the first reason of the first that is known least."""
+    rank = ("not", "partly")
+    for file in sorted((each for each in launch.followed if each.reasons), key=lambda each: rank.index(each.state)):
+        place, reason = file.reasons[0]
+        return f"{file.source.path} is not known as a whole: line {file.source.position(place.span.start).line}: {shortened(reason)}"
+    return "what it asks of code that is not looked into may fail"
 
 
 def _missing(problem: Problem) -> str:

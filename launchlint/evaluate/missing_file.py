@@ -19,8 +19,8 @@ def missing_file(
 
     ``environment`` says that the name is made from an environment variable, ``refused`` that the launcher stops there.
     """
-    shown = session.shown(name) if name else ""
     relative = not os.path.isabs(name)
+    shown = "" if not name else os.path.normpath(name).replace(os.sep, "/") if relative else session.shown(name)
     directory = os.path.dirname(name)
     return ParamFileMissing(
         origin=origin,

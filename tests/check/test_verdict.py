@@ -116,6 +116,22 @@ def test_words() -> None:
     assert Verdict("cannot be told", "LL202", "", tuple("abcde")).why == "it needs a, b, c and 2 more"
 
 
+FOLLOWED = "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+NOT_FOLLOWED = FOLLOWED.replace("[]", "requests.get('http://example.org').json()").replace("\n\n\n", "\nimport requests\n\n\n")
+
+
+@pytest.mark.parametrize(("text", "word"), [(FOLLOWED, "loads"), (NOT_FOLLOWED, "cannot be told")])
+def test_of_a_program_that_is_not_known_nobody_says_that_it_loads(text: str, word: str, make: Make) -> None:
+    """Nor does one output say so while another says that it is not known."""
+    directory = make({"a.launch.py": text})
+    told = json.loads(run(directory, "model", "--format", "json", "a.launch.py").output)
+    assert (told["verdict"], told["outcome"]["word"]) == ("ok" if word == "loads" else "unknown", word)
+    (entry,) = data_of(run(directory, "report", "-o", "-", "a.launch.py").output)["entries"]
+    why = "" if word == "loads" else "a.launch.py is not known as a whole: line 6: requests.get is not looked into"
+    assert (entry["verdict"], entry["why"]) == (word, why)
+    assert run(directory, "check", "a.launch.py").output.strip().endswith(f"cannot be told: {why}" if why else "1 launch file")
+
+
 def test_words_of_other_configurations() -> None:
     twice = Verdict("refused", "LL301", "two nodes")
     once = LOADS.beside([((("sim", "true"),), twice), ((("sim", "true"), ("gui", "1")), twice), ((("gui", "1"),), LOADS)])

@@ -34,6 +34,7 @@ PARAMETERS = "ros__parameters"
 _QUOTES = ("'", '"', "&quot;", "&apos;")
 _DESCRIBES = late(r"\bxacro\b|\.(?:xacro|urdf|sdf|srdf)\b")
 _ROBOT = late(r"\s['\"]?(/[^\s'\"]+\.(?:xacro|urdf|sdf|srdf))\b")
+_HERE = (".", "..")
 LETTERS = ("y", "Y", "n", "N")
 """Texts to everybody but rcl: letters."""
 
@@ -249,7 +250,13 @@ def missing(file: str, origin: Origin, attribute: str, asks: Performs, refused: 
     """The problem of a file that cannot be read; a relative one counts from wherever ros2 launch is called."""
     from launchlint.evaluate.missing_file import NO_SUCH_FILE, missing_file  # only a file that is not there pays for it
 
-    reason = asks.session.read(file).reason if posixpath.isabs(file) else ""
+    reason = (
+        asks.session.read(file).reason
+        if posixpath.isabs(file)
+        else "it is a directory"
+        if file and posixpath.normpath(file) in _HERE
+        else ""
+    )
     return missing_file(asks.session, origin, attribute, file, reason or NO_SUCH_FILE, environment=environment, refused=refused)
 
 

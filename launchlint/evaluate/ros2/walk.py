@@ -10,12 +10,13 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import ClassVar, NamedTuple
 
-from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
+from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound, PackageNotFound
 from launchlint.evaluate.ros2.comparing import note_truth
 from launchlint.evaluate.ros2.context import Context, Setting, Value
 from launchlint.evaluate.ros2.leaving import lost_in, tell_nobody
 from launchlint.evaluate.ros2.listing import Lister, Listings
 from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
+from launchlint.evaluate.ros2.problems import NodePackageMissing
 from launchlint.evaluate.ros2.substitutions import PERFORM
 from launchlint.evaluate.session import Read
 from launchlint.evaluate.steering import steering
@@ -191,6 +192,7 @@ class Walk:
         self.refused: Problem | None = None
         self.late: list[Problem] = []
         self.counted: tuple[int, ...] | None = None
+        self.doubted: tuple[tuple[int, ...], Problem] | None = None
         self.nodes: list[Node] = []
         self.programs: list[Executable] = []
         self.includes: list[Include] = []
@@ -273,7 +275,10 @@ class Walk:
             return
         if self.here.deferred is not None:
             self.late.append(problem)
-            self.counted = self.counted or self._count()
+            if not isinstance(problem, (NodePackageMissing, PackageNotFound)) or problem.lacks is None:
+                self.counted = self.counted or self._count()
+            elif self.counted is None:
+                self.doubted = self.doubted or (self._count(), problem)
         elif self.refused is None:
             self.refused = problem
 
@@ -438,10 +443,11 @@ class Walk:
         for number, body in enumerate(self.waiting):  # grows on the way
             if number >= MOST_DEFERRED:
                 break
-            self.late, self.counted = [], None
+            self.late, self.counted, self.doubted = [], None, None
             self.execute_later(body)
             late += self.late[:1]
             self._forget_late()
+            self._doubt_late()
         self.late = late
 
     def execute_later(self, body: Body) -> None:
@@ -463,6 +469,16 @@ class Walk:
         if self.counted is not None:
             nodes, programs, includes, declared, waiting = self.counted
             del self.nodes[nodes:], self.programs[programs:], self.includes[includes:], self.declared[declared:], self.waiting[waiting:]
+
+    def _doubt_late(self) -> None:
+        """What came of a body behind a package that is not here, and may be elsewhere, may be started: it is for certain no more."""
+        if self.doubted is None:
+            return
+        (nodes, programs, includes, _, _), problem = self.doubted
+        met = (Condition("maybe", problem.place, True, f"it needs {' '.join(problem.lacks or ())}, which is not here"),)
+        self.nodes[nodes:] = [each._replace(conditions=each.conditions + met) for each in self.nodes[nodes:]]
+        self.programs[programs:] = [each._replace(conditions=each.conditions + met) for each in self.programs[programs:]]
+        self.includes[includes:] = [each._replace(conditions=each.conditions + met) for each in self.includes[includes:]]
 
 
 def tag_of(action: Action | described.Component) -> str:

@@ -77,7 +77,10 @@ def loading(topology: Topology) -> str:
     verdict = topology.verdict
     if verdict is None or not verdict.notice:
         return ""
-    return verdict.notice if verdict.word == "loads" else f"{verdict.notice}; shown is what it would start otherwise"
+    if verdict.word == "loads":
+        return verdict.notice
+    refused = verdict.word == "refused" or verdict.rule
+    return f"{verdict.notice}; shown is {'what it would start otherwise' if refused else 'what is known of it'}"
 
 
 def place(text: str) -> str:

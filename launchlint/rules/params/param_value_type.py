@@ -2,7 +2,8 @@
 
 roslaunch knows the types `str` (or `string`), `int`, `double`, `bool` (or `boolean`), `yaml` and `auto`, which is
 also what it takes where there is no `type`. The value is checked as it is after substitution. It is an info where the value plainly
-asks to be filled in (`your app id here`, `<id>`, `CHANGEME`): roslaunch refuses the file until somebody does.
+asks to be filled in (`your app id here`, `<id>`, `CHANGEME`): roslaunch refuses the file until somebody does. In ROS 2 it is a warning
+where the value is one that was tried for an arg to see what stands under a condition.
 
 ## Why it matters
 
@@ -103,7 +104,7 @@ def _ros2(problem: ParameterValueType) -> Finding:
         f"the value of {name} cannot be used: {problem.reason}",
         label=f"no {type_}" if type_ else "no value of a parameter",
         related=problem.related,
-        notes=(f"the value is {problem.value!r} here, and ros2 launch stops",),
+        notes=(f"the value is {problem.value!r} here, and ros2 launch stops{' where it is' if problem.assumed else ''}",),
         help="" if type_ else 'type="str" takes any text as it is',
     )
 

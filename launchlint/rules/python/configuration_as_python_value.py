@@ -7,7 +7,7 @@ gives in an `OpaqueFunction` is a text: `'false'` is true for Python, too.
 ## Why it matters
 
 Nothing complains: nodes are started always or never, whatever is given on the command line. Where a text or path is put together, Python
-stops with a `TypeError`.
+stops with a `TypeError`. Where the value is only printed, or held by a variable that nothing reads, it is a warning.
 
 ## Example
 
@@ -57,6 +57,7 @@ from launchlint.syntax.ros2.python.problems import ConfigurationAsPythonValue
 RULE = Rule("LL921", "configuration-as-python-value", Severity.ERROR)
 _OBJECT = "it is an object here; its value exists only when launch executes the description"
 _TEXT = "launch configurations are texts; Python takes every text for true that is not empty"
+_IDLE = "nothing is made of it: what it becomes here reaches no action"
 _HAPPENS = {
     "test": "is always true here, whatever is given to the launch file",
     "compare": "is never equal to a text or value of Python",
@@ -80,13 +81,15 @@ _ADVICE = {
 def tell(problem: ConfigurationAsPythonValue, view: object) -> Iterator[Finding]:
     """Say what comes of it."""
     name = f"{problem.name}('{problem.of}')" if problem.of else f"a {problem.name}"
+    idle = problem.idle and not problem.refused
+    note = _IDLE if idle else _TEXT if problem.use == "performed" else _OBJECT
     compared = problem.use == "performed" and any(each in problem.place.text for each in ("==", "!=", " is "))
     yield RULE.at(
         problem.origin,
         f"{name} {'is a text here, never equal to True or False' if compared else _HAPPENS[problem.use]}",
-        severity=level(problem),
+        severity=Severity.WARNING if idle else level(problem),
         label=shown(problem.place.text) if len(problem.place.text) > 200 else "",
-        notes=stops("a TypeError") if problem.refused else (_TEXT if problem.use == "performed" else _OBJECT,),
-        help=_ADVICE[problem.use],
+        notes=stops("a TypeError") if problem.refused else (note,),
+        help="give the substitution itself to an action, or leave this out" if idle else _ADVICE[problem.use],
         topic=problem.use,
     )

@@ -1,8 +1,9 @@
 """The launch file is a program that ends with an exception, whenever somebody starts it: it raises one, or looks for what is not there.
 
 `launchlint` follows the program without running it, and tells this only where every way through it ends so. A program that refuses some
-values of its arguments does so on purpose: it is told only of what happens without arguments. Where a function asked for a launch
-configuration before that neither its file nor one that includes it here sets, it is an information: such a file is made to be included.
+values of its arguments does so on purpose: it is told only of what happens without arguments. It is an info where a function asked for a
+launch configuration before that is empty, or that nobody sets here: such a file wants an arg, or is made to be included. So it is where the
+program itself raises the exception after it has looked for a package that is not here: that may be installed where it is started.
 
 ## Why it matters
 
@@ -63,9 +64,12 @@ def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
     lacks = problem.error == _LACKING_STATED if problem.stated else problem.error in _LACKING
     severity = Severity.WARNING if lacks else level(problem)
     notes = ("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",)
-    if problem.lacking:
+    if problem.package:
         severity = Severity.INFO
-        notes = (f"so it is where no file that includes this one sets {problem.lacking}",)
+        notes = (f"it looks for the package {problem.package} before that, which is not here",)
+    elif problem.lacking:
+        severity = Severity.INFO
+        notes = (f"so it is where nobody gives {problem.lacking} a value, on the command line or in a file that includes this one",)
     yield RULE.at(
         problem.origin,
         f"{when} with an exception: {what}",

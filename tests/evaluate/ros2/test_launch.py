@@ -314,6 +314,21 @@ def test_a_deferred_body_ends_with_the_first_error_in_it(tmp_path: Path) -> None
     assert sorted(problem.name for problem in launch.problems if isinstance(problem, UndeclaredArg)) == ["a", "b"]
 
 
+def test_behind_a_package_that_is_not_here_a_deferred_body_may_go_on(tmp_path: Path) -> None:
+    """Somebody may have that package: what stands in the body is not passed over in silence, nor told as certain."""
+    missing = '<node pkg="nowhere" exec="e" name="there"/>'
+    body = (
+        f'<timer period="1.0">{NODE.format("first")}{missing}{NODE.format("later")}<log message="$(var a)"/>{NODE.format("never")}</timer>'
+    )
+    launch = loaded(Workspace(tmp_path, body).launch())
+    assert named(launch) == ["first", "there", "later"]
+    assert [[each.text for each in node.conditions] for node in launch.nodes] == [
+        [],
+        *[["it needs the package nowhere, which is not here"]] * 2,
+    ]
+    assert {node.deferred for node in launch.nodes} == {"timer"}
+
+
 def test_an_arg_with_a_wrong_choice_is_not_declared(tmp_path: Path) -> None:
     body = '<timer period="1.0"><arg name="a" default="x"><choice value="y"/></arg></timer>'
     assert loaded(Workspace(tmp_path, body).launch()).declarations == ()

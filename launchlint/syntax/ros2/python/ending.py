@@ -23,7 +23,7 @@ _CERTAIN = frozenset(
 def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool, lacking: str = "") -> tuple[Action, ...]:
     """What stands for a program that ends so: what stops launch, for the reason that the program has, where that is certain.
 
-    ``lacking`` is a launch configuration that it asked for before, and that nothing sets.
+    ``lacking`` is a launch configuration that it asked for before, and that nothing sets, or to nothing but an empty text.
     """
     place, related = _places(raised, run, everything)
     if raised.asked is not None:
@@ -33,8 +33,9 @@ def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool
     if not raised.stated and error not in _CERTAIN:
         return ()
     problem: Problem = StopsWithError(
-        origin=Origin(place), refused=True, related=related, error=error, what=what, stated=raised.stated, called=called, lacking=lacking
-    )
+        origin=Origin(place), refused=True, related=related, error=error, what=what, stated=raised.stated, called=called, lacking=lacking,
+        package=run.missing_package if raised.stated else "",
+    )  # fmt: skip
     return (described.Fails(problem, place),)
 
 

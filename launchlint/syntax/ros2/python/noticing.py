@@ -11,6 +11,7 @@ from launchlint.python.recogniser import Recogniser
 from launchlint.python.values import Handle, Scope, Value
 from launchlint.python.walking import walk
 from launchlint.source import Origin, Place
+from launchlint.syntax.ros2.python.idle import idle
 from launchlint.syntax.ros2.python.problems import ConfigurationAsPythonValue
 from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS
 from launchlint.syntax.ros2.python.uses import STOPS, uses
@@ -29,10 +30,12 @@ class Noticing(Interpreter):
     def __init__(self, recogniser: Recogniser, root: str, package: str, finder: ModuleFinder, beside: str) -> None:
         super().__init__(recogniser, root, package, finder, beside)
         self.problems: list[Problem] = []
+        self.missing_package = ""  # the first that the program asked for and that is not here
         self._told: set[tuple[type, tuple[str, int], str]] = set()
         self._caught = 0
         self._catching: set[int] = set()
         self._uses: dict[int, tuple[Use, ast.expr]] = {}
+        self._idle: set[int] = set()
 
     def place(self, node: ast.AST, scope: Scope) -> Place:
         """Where something stands."""
@@ -62,6 +65,7 @@ class Noticing(Interpreter):
     def look_at(self, tree: ast.Module) -> None:
         """Notice how a module uses what may turn out to be substitutions, and where it catches errors."""
         self._uses.update(uses(tree))
+        self._idle |= idle(tree)
         tries = (node for node in walk(tree) if isinstance(node, ast.Try))
         self._catching.update(id(node.body) for node in tries if any(_catches(handler.type) for handler in node.handlers))
 
@@ -79,7 +83,7 @@ class Noticing(Interpreter):
         self.record(
             ConfigurationAsPythonValue(
                 origin=Origin(self.place(whole, scope)), refused=use in STOPS, use=use, name=value.kind,
-                of=of if isinstance(of, str) and value.kind == "LaunchConfiguration" else "",
+                of=of if isinstance(of, str) and value.kind == "LaunchConfiguration" else "", idle=id(node) in self._idle,
             )
         )  # fmt: skip
 

@@ -146,7 +146,8 @@ class StopsWithError(Problem):
     """The file itself ends with an exception, of the class ``error``, that says ``what``; ``stated``: it raises that itself.
 
     ``called``: it comes when launch calls a function of the file, not when the file is loaded. ``lacking``: a launch configuration that
-    the function asked for before, and that nothing here sets: the file is made to be included by one that does.
+    the function asked for before, and that nothing here sets, or to nothing but an empty text: somebody has to give it a value.
+    ``package``: one that the program looked for before it raised this itself, and that is not here.
     """
 
     error: str
@@ -154,6 +155,14 @@ class StopsWithError(Problem):
     stated: bool
     called: bool
     lacking: str = ""
+    package: str = ""
+
+    @property
+    def lacks(self) -> tuple[str, str] | None:
+        """That package or arg."""
+        if self.package:
+            return "the package", self.package
+        return ("the arg", self.lacking) if self.lacking else None
 
 
 class ExecutedTwice(Problem):
@@ -173,12 +182,13 @@ class WrongSourceClass(Problem):
 class ConfigurationAsPythonValue(Problem):
     """A substitution of the class ``name`` that Python uses as if it were the text it will stand for; ``use`` says how.
 
-    ``of`` is the name of the launch configuration, if it is one.
+    ``of`` is the name of the launch configuration, if it is one. ``idle``: what comes of it reaches no action.
     """
 
     use: Use
     name: str
     of: str
+    idle: bool = False
 
 
 class RunsAtLoad(Problem):

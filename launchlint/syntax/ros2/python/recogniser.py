@@ -237,6 +237,7 @@ class LaunchRecogniser:
             return Unknown("which package it is, is not known", place)
         directory = self._outside.share(package)
         if directory is None:
+            self._run.missing_package = self._run.missing_package or package
             missing = Failure(External("ament_index_python.packages.PackageNotFoundError"), (f"the package {package} is not here",))
             raise Raised(missing, asked=("find-pkg-share", package))
         if not shared:
@@ -246,7 +247,12 @@ class LaunchRecogniser:
 
     def has_package(self, name: Value) -> Value:
         """Whether there is a package of a name."""
-        return self._outside.share(name) is not None if isinstance(name, str) else UNKNOWN
+        if not isinstance(name, str):
+            return UNKNOWN
+        found = self._outside.share(name) is not None
+        if not found:
+            self._run.missing_package = self._run.missing_package or name
+        return found
 
     def given_away(self, value: Handle) -> None:
         """An object of launch is given to code that is not followed: what takes further actions may be given some."""

@@ -41,7 +41,7 @@ class Ending(Ended):
 class Running:
     """What functions ask of the launch they are called by: ``live`` is its context, None where there is none yet.
 
-    ``lacking`` is the first launch configuration that the function asked for with a default, and that is not set.
+    ``lacking`` is the first launch configuration that the function asked for and that is empty, or asked for with a default and not set.
     """
 
     def __init__(self, run: Noticing, texts: Texts, fresh: Callable[[], LiveContext | None]) -> None:
@@ -68,12 +68,19 @@ class Running:
             return Unknown(_BEFORE, place)
         try:
             if not isinstance(receiver, Handle) or is_substitution(receiver):
-                return self.value(live.perform(self._texts.text(receiver, place)), place)
+                found = live.perform(self._texts.text(receiver, place))
+                if found == "" and isinstance(receiver, Handle) and receiver.kind == "LaunchConfiguration":
+                    self._lacks(receiver.state.get("variable_name"))
+                return self.value(found, place)
             wanted = condition_of(receiver, self._texts, place)
             holds = None if wanted is None else live.holds(wanted)
         except Stopped as stopped:
             raise Ending(stopped.problem) from None
         return Unknown("whether a condition holds is not known", place) if holds is None else holds
+
+    def _lacks(self, name: Value) -> None:
+        if isinstance(name, str):
+            self.lacking = self.lacking or name
 
     def value(self, found: str | NotKnown, place: Place | None) -> Value:
         """A value of the launch as one of the program."""
@@ -103,8 +110,8 @@ class Running:
             found = self.item(receiver, given[0], place)
             if found is not MISSING:
                 return found
-            if receiver.kind == CONFIGURATIONS and isinstance(given[0], str):
-                self.lacking = self.lacking or given[0]
+            if receiver.kind == CONFIGURATIONS:
+                self._lacks(given[0])
             default = given[1] if len(given) > 1 else None
             if name == "setdefault":
                 self.set_item(receiver, given[0], default)
@@ -132,6 +139,8 @@ class Running:
         if live is None or not isinstance(key, str):
             return Unknown(_BEFORE if live is None else "which one it is, is not known", place)
         found = live.configuration(key) if receiver.kind == CONFIGURATIONS else live.variable(key)
+        if found == "" and receiver.kind == CONFIGURATIONS:
+            self._lacks(key)
         return MISSING if found is None else self.value(found, place)
 
     def set_item(self, receiver: Handle, key: Value, value: Value) -> None:
