@@ -63,6 +63,7 @@ def test_what_somebody_else_wrote_is_not_written_over(words: tuple[str, ...], tm
 def test_a_file_that_is_gone_is_not_written_again(words: tuple[str, ...], tmp_path: Path) -> None:
     for moment, each in enumerate(runs(tmp_path, ENTRY, "vanish", *words)):
         assert each["holds"] is None, (moment, each["said"])
-        assert "3 findings in 3 files" not in str(each["said"]), moment
+        left = "is left as it is" in str(each["said"])
+        assert not left or "fixed 2 findings in 2 files" in str(each["said"]) or words[0] != "check", (moment, each["said"])
         assert "itself failed" not in str(each["said"]), (moment, each["said"])
         assert each["again"] == each["anew"], moment
