@@ -135,6 +135,10 @@ def _instance(process: _Process, manager: _Process | None, parameters: Parameter
     for part in parts:
         opened.update(part.open)
     endpoints = _unique(endpoint for part in parts for endpoint in part.endpoints)
+    told = {endpoint.unremapped for endpoint in endpoints}
+    for endpoint in (endpoint for part in parts for endpoint in part.endpoints):
+        if endpoint.unremapped not in told:  # remapped to where another of its names is: the code says both
+            looked_up.setdefault(endpoint.unremapped, endpoint.declared)
     readings = tuple(reading for part in parts for reading in part.readings)
     return Instance(
         node=node,
