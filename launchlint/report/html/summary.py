@@ -114,7 +114,7 @@ def empty_states(data: Mapping[str, Any]) -> Mapping[str, Any]:
     return {
         "entries": not entries,
         "nodes": bool(entries) and not any(entry["nodes"] for entry in entries),
-        "open": any(not entry["complete"] and entry["verdict"] == "loads" for entry in entries),
+        "open": any(not entry["complete"] and entry["verdict"] != "refused" for entry in entries),
         "sight": Sight(data["sight"][1], data["sight"][0]).brief if data["sight"][1] else "",
         "refused": [entry for entry in entries if entry["verdict"] != "loads"],
         "unknown": [(program, *unknown[program]) for program in sorted(unknown, key=lambda each: (-unknown[each][0], each))],
