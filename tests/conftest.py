@@ -185,11 +185,11 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
 
 SLOW = (
     "tests/action", "tests/check", "tests/cli", "tests/conformance", "tests/evaluate", "tests/export", "tests/extract", "tests/fix/format",
-    "tests/fix/test_rule_fixes.py", "tests/hook", "tests/ide", "tests/knowledge", "tests/library/test_bundled_script.py",
+    "tests/fix/test_rule_fixes.py", "tests/growth", "tests/hook", "tests/ide", "tests/knowledge", "tests/library/test_bundled_script.py",
     "tests/project", "tests/server",
     "tests/library/test_grow_script.py", "tests/library/test_hostile.py", "tests/packaging", "tests/probe", "tests/report",
     "tests/rules/test_pages.py", "tests/syntax", "tests/test_architecture.py", "tests/test_example.py", "tests/test_guides.py",
-    "tests/test_hostile.py", "tests/test_readme.py", "tests/test_startup.py", "tests/test_workflows.py",
+    "tests/test_hostile.py", "tests/test_hostile_ros2.py", "tests/test_readme.py", "tests/test_startup.py", "tests/test_workflows.py",
 )  # fmt: skip
 """Folders and files whose tests start processes, or try thousands of texts; a single test elsewhere carries the marker ``slow``."""
 
