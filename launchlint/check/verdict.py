@@ -59,9 +59,10 @@ def plainly(problem: Problem) -> str:
 def _not_followed(launch: Launch) -> str:
     """Why it is not known whether launch gets through its files in Python: the first reason of the first that is known least."""
     rank = ("not", "partly")
-    for file in sorted((each for each in launch.followed if each.reasons), key=lambda each: rank.index(each.state)):
-        place, reason = file.reasons[0]
-        return f"{file.source.path} is not known as a whole: line {file.source.position(place.span.start).line}: {shortened(reason)}"
+    least = min((each for each in launch.followed if each.reasons), key=lambda each: rank.index(each.state), default=None)
+    if least is not None:
+        place, reason = least.reasons[0]
+        return f"{least.source.path} is not known as a whole: line {least.source.position(place.span.start).line}: {shortened(reason)}"
     return "what it asks of code that is not looked into may fail"
 
 

@@ -126,19 +126,18 @@ def folding(view: View) -> list[tuple[Span, bool]]:
 def _blocks(text: str) -> list[Span]:
     """The lines of a text without tags that others below them are indented under, each with these."""
     found: list[Span] = []
-    open_: list[tuple[int, int, int]] = []  # indentation, where the line begins, where the block ends so far
-    start = 0
+    open_: list[tuple[int, int]] = []  # indentation, where the line begins
+    start = end = 0
     for line in text.splitlines(keepends=True):
         bare = line.strip()
         if bare:
             indentation = len(line) - len(line.lstrip())
             while open_ and open_[-1][0] >= indentation:
-                found.append(Span(*open_.pop()[1:]))
+                found.append(Span(open_.pop()[1], end))
             end = start + len(line.rstrip("\r\n"))
-            open_ = [(each[0], each[1], end) for each in open_]
-            open_.append((indentation, start, end))
+            open_.append((indentation, start))
         start += len(line)
-    found += [Span(*each[1:]) for each in open_]
+    found += [Span(begin, end) for _, begin in open_]
     return sorted(span for span in found if "\n" in text[span.start : span.end])
 
 
