@@ -24,6 +24,10 @@ from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE
 
 MOST_ATTEMPTS = 200
 """Sets of fixes that are tried. Every one that stays leaves fewer findings, so that there is an end in any case; this bounds the time."""
+FEWEST_ATTEMPTS = 20
+"""Sets of fixes that are tried however long the files are."""
+MOST_TEXT = 32 << 20
+"""Bytes of launch files that are checked again, over all attempts, before an attempt beyond the fewest is one too many."""
 
 
 class Refused(NamedTuple):
@@ -35,14 +39,14 @@ class Refused(NamedTuple):
 
 class Fixed(NamedTuple):
     """What came of it: for each changed file (absolute) what it held and what it is to hold, the findings that are gone, what was not
-    done, and what is found now. ``given_up``: there may be more that could be done.
+    done, and what is found now. ``given_up``: after so many attempts, and there may be more that could be done; else 0.
     """
 
     files: Mapping[str, tuple[bytes, bytes]]
     made: tuple[Finding, ...]
     refused: tuple[Refused, ...]
     outcome: Outcome
-    given_up: bool
+    given_up: int
 
 
 class Fixing:
@@ -75,7 +79,12 @@ class Fixing:
         self._manifests: dict[str, bytes] = {}
         self._made: list[Finding] = []
         self._refused: list[Refused] = []
-        self._attempts = MOST_ATTEMPTS
+        self._attempts = 0
+        self._text = 0
+
+    @property
+    def _may_try(self) -> bool:
+        return self._attempts < (MOST_ATTEMPTS if self._text < MOST_TEXT else FEWEST_ATTEMPTS)
 
     @property
     def _options(self) -> Options:
@@ -83,7 +92,7 @@ class Fixing:
 
     def run(self) -> Fixed:
         """Make all fixes that can be made."""
-        while self._attempts:
+        while self._may_try:
             made = len(self._made)
             self._refused = []
             self._make()
@@ -96,7 +105,7 @@ class Fixing:
             files[file] = (self._state.text(file), after)
         return Fixed(
             {file: files[file] for file in sorted(files) if files[file][0] != files[file][1]},
-            tuple(self._made), tuple(self._refused), self._outcome, not self._attempts,
+            tuple(self._made), tuple(self._refused), self._outcome, 0 if self._may_try else self._attempts,
         )  # fmt: skip
 
     def refusal(self, finding: Finding) -> str:
@@ -123,7 +132,7 @@ class Fixing:
 
     def _make(self) -> None:
         """Make fixes until none is left that has not been refused."""
-        while self._attempts:
+        while self._may_try:
             # First what changes nothing, then what changes as little as the mistake did: the guard proves nothing of a mixture.
             chosen = list(self._chosen(changing=False)) or list(self._chosen(changing=True))
             if not chosen:
@@ -132,8 +141,8 @@ class Fixing:
 
     def _make_some(self, chosen: Sequence[Finding]) -> None:
         """Make the fixes of ``chosen`` or else of the first part of it that can stay; refuse a single one that cannot."""
-        while chosen and self._attempts:
-            self._attempts -= 1
+        while chosen and self._may_try:
+            self._attempts += 1
             reason = self._try(chosen)
             if not reason:
                 return
@@ -188,6 +197,7 @@ class Fixing:
                 if reason:
                     return reason
         state = self._state.after(texts)
+        self._text += state.read_again
         outcome = self._merged(state)
         shifts = {path: Shift(listed) for path, listed in edits.items()}
         # A dependency that package.xml lacks now is added in the end.
@@ -254,11 +264,12 @@ def _all(result: EntryResult) -> Iterator[Finding]:
 
 
 class _State:
-    """The files as they are at one point, and what was found in them."""
+    """The files as they are at one point, and what was found in them. ``read_again``: bytes of the files that were checked for it."""
 
-    def __init__(self, checker: EntryChecker, results: list[EntryResult]) -> None:
+    def __init__(self, checker: EntryChecker, results: list[EntryResult], read_again: int = 0) -> None:
         self.checker = checker
         self.results = results
+        self.read_again = read_again
 
     def text(self, file: str) -> bytes:
         """What ``file`` holds; raises CannotEdit."""
@@ -273,7 +284,10 @@ class _State:
         changed = {checker.session.shown(file) for file in texts}
         again = [changed.intersection(file.path for file in each.files) or each.path in changed for each in self.results]
         results = [checker.check(each.request) if anew else each for each, anew in zip(self.results, again, strict=True)]
-        return _State(checker, results)
+        read = Counter(file.path for each, anew in zip(results, again, strict=True) if anew for file in each.files)
+        sizes = {path: len(checker.session.read(os.path.join(checker.options.root, path)).data or b"") for path in read}
+        read_again = sum(times * sizes[path] for path, times in read.items())
+        return _State(checker, results, read_again)
 
     def callers(self, file: str) -> Iterator[Caller]:
         """The entry files that lead to ``file``, with the args they are given."""

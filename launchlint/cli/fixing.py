@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Collection, Sequence
 
 from launchlint.check.entry import EntryChecker, EntryResult
-from launchlint.check.fixing import MOST_ATTEMPTS, Fixing, Refused
+from launchlint.check.fixing import Fixing, Refused
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.merge import Outcome
 from launchlint.cli.entries import tell
@@ -106,7 +106,7 @@ class Fixer:
         for refused in self._fixed.refused:
             tell(_why_not(refused))
         if self._fixed.given_up:
-            tell(f"gave up after {MOST_ATTEMPTS} attempts; run the command again to go on")
+            tell(f"gave up after {self._fixed.given_up} attempts; run the command again to go on")
         shown = {self._session.shown(file) for file in changed}
         count = sum(finding.fix is not None and shown.issuperset(edit.path for edit in finding.fix.edits) for finding in self._fixed.made)
         findings = counted(count, "finding", thousands=",")

@@ -236,3 +236,13 @@ def test_entries_are_not_repaired(typo: Path) -> None:
     done = run(typo, "check", "--fix", "--entries", "entries.yaml", "--format", "jsonl")
     expected = "launchlint: --fix changes launch files where they are; --entries judges texts as if they stood elsewhere\n"
     assert (done.status, done.errors) == (2, expected)
+
+
+@pytest.mark.parametrize(("padding", "attempts"), [("", 200), ("<!--" + "long " * 340_000 + "-->\n", 20)])
+def test_attempts_are_bounded(padding: str, attempts: int, typo: Path) -> None:
+    # Each attempt removes the last arg of the chain: only then nobody reads the one before.
+    chain = "".join(f'  <arg name="a{number + 1}" default="$(arg a{number})"/>\n' for number in range(attempts + 5))
+    write(typo, {"demo/launch/chain.launch": f'<launch>\n{padding}  <arg name="a0" default="1"/>\n{chain}</launch>\n'})
+    gone = concise(typo, "--unsafe-fixes", "demo/launch/chain.launch")
+    again = "run the command again to go on"
+    assert gone.errors == f"launchlint: gave up after {attempts} attempts; {again}\nlaunchlint: fixed {attempts} findings in 1 file\n"

@@ -34,6 +34,24 @@ WORK = {
 }
 """What one configuration may amount to."""
 
+FIXING = {"launchlint.check.fixing.FEWEST_ATTEMPTS": 3, "launchlint.check.fixing.MOST_TEXT": 0}
+"""Sets of fixes that are tried, of any file: one that no fix can be left out of needs as many as it has."""
+OTHERS = {
+    ("check", "--no-cache", "--jobs", "1", "--unsafe-fixes", "--diff"): (
+        "nodes of one name",
+        "args",
+        "chain of args",
+        "empty groups",
+        "unknown tags",
+    ),
+    ("export",): ("remaps and nodes", "params for all groups", "includes with an arg", "ROS 2: includes with an arg", "ROS 2: conditions"),
+    ("graph", "--format", "json"): ("a hub", "pairs that just miss", "nodelets of a manager", "ROS 2: components", "ROS 2: pairs"),
+    ("report", "-o", "page.html"): ("a hub", "pairs that just miss", "groups", "includes with an arg", "ROS 2: loaded components"),
+    ("format", "--diff"): ("comments", "remaps of a node", "YAML of a node", "ROS 2: nodes of YAML"),
+    ("model",): ("remaps and nodes", "includes with an arg", "ROS 2: remaps and nodes"),
+}
+"""What commands other than a check do most with. ``python -m tests.bench.growth --command`` tries any of them with all constructs."""
+
 
 def exponent(counts: list[int]) -> float:
     """The power of the size with which the counts at ``SIZES`` grow, whatever the constant part; 0 where they hardly do."""
@@ -50,3 +68,14 @@ def test_check(construct: Construct, tmp_path: Path) -> None:
         bounds = {**LISTS, **WORK} if construct.product else LISTS
         counts.append(calls(("check", "--no-cache", "--jobs", "1", construct.entry), directory, bounds))
     assert exponent(counts) <= (STEEPEST_OF_DEPTH if construct.most < 1_000 else STEEPEST), counts
+
+
+@pytest.mark.parametrize(("words", "name"), [(words, name) for words, names in OTHERS.items() for name in names])
+def test_other_commands(words: tuple[str, ...], name: str, tmp_path: Path) -> None:
+    construct = next(each for each in (*ros1.CONSTRUCTS, *ros2.CONSTRUCTS) if each.name == name)
+    counts = []
+    for size in SIZES:
+        directory = tmp_path / str(size)
+        build(construct, size, directory)
+        counts.append(calls((*words, construct.entry), directory, {**LISTS, **FIXING, **(WORK if construct.product else {})}))
+    assert exponent(counts) <= STEEPEST, counts
