@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
 from typing import NamedTuple
 
 from launchlint.graph.frames import Frame
@@ -187,17 +186,20 @@ class Channel:
         self.name = name
         self.offers: list[Endpoint] = []
         self.uses: list[Endpoint] = []
+        self._is_plumbing: bool | None = None
 
-    @cached_property
+    @property
     def is_hub(self) -> bool:
         """Whether everybody uses it."""
         many = len(self.offers) > 1 and len(self.uses) > 1
         return self.name in HUBS or (many and len(self.offers) * len(self.uses) >= HUB_SIZE)
 
-    @cached_property
+    @property
     def is_plumbing(self) -> bool:
         """Whether it belongs to the machinery of nodes."""
-        return all(endpoint.type.startswith(PLUMBING) for endpoint in (*self.offers, *self.uses))
+        if self._is_plumbing is None:
+            self._is_plumbing = all(endpoint.type.startswith(PLUMBING) for endpoint in (*self.offers, *self.uses))
+        return self._is_plumbing
 
 
 class ConnectionGraph(NamedTuple):

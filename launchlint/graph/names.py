@@ -84,6 +84,11 @@ def around(name: str) -> Iterator[str]:
         outer = outer.rpartition("/")[0]
 
 
+def _is_within(name: str, outer: str) -> bool:
+    """Whether a global ``name`` is ``outer``, or ``outer`` is one of the names around it."""
+    return f"{name.rstrip('/')}/".startswith(f"{outer}/")
+
+
 def kind(name: str) -> str:
     """``global``, ``private`` or ``relative``."""
     return "global" if name.startswith("/") else "private" if name.startswith("~") else "relative"
@@ -180,11 +185,11 @@ class Namer:
         """What a name is if the code makes NodeHandles of the namespaces of its own around it, of those that are remapped."""
         if self._is_rospy:
             return
-        own = {self.namespace, self.private, *around(self.namespace), *around(self.private)}
         for outer in around(unremapped):
-            if outer in own:
+            applied = self._applied(outer)
+            if (applied is None and not self._unknown) or _is_within(self.namespace, outer) or _is_within(self.private, outer):
                 continue
-            rest, applied = unremapped[len(outer) + 1 :], self._applied(outer)
+            rest = unremapped[len(outer) + 1 :]
             if applied is not None and applied.target != outer:
                 yield clean(f"{applied.target}/{rest}")
             for source, target in self._unknown:

@@ -46,7 +46,10 @@ class Watcher(EntryChecker):
         self._seen = []
         self._first = first
         self.remember = True
-        result = self.check(request)
+        try:
+            result = self.check(request)
+        finally:
+            self._first = None  # what is checked in between, to prove a fix, is told to nobody
         return Understood(result, tuple(self._seen))
 
     def after_first(self, so_far: Callable[[], EntryResult]) -> None:

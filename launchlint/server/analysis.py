@@ -15,6 +15,7 @@ from launchlint.check.causes import told_once
 from launchlint.errors import LaunchlintError
 from launchlint.evaluate.session import Session, Stopped
 from launchlint.finding import Finding
+from launchlint.garbage import look
 from launchlint.ide.view import Snapshot
 from launchlint.project.workspace import OpenWorkspace
 
@@ -26,6 +27,12 @@ Made = TypeVar("Made")
 
 STACK = 256 << 20
 """Bytes of the thread's stack: as deep as files may include each other."""
+PAUSE = 0.3
+"""Seconds after a keystroke in which the next one may come: what is not open waits so long."""
+BREATH = 0.01
+"""Seconds without anything to do after which the last text is likely to have been the last for a moment."""
+QUIET = 1.0
+"""Seconds without anything to do after which there is time to look for garbage."""
 _log = logging.getLogger("launchlint.server")
 
 
@@ -150,7 +157,7 @@ class Analysis:
     # -- in the thread ---------------------------------------------------------------------------------------------
 
     def _checkpoint(self) -> None:
-        if self._texts or self._written or self._jobs or self._ends:
+        if self._is_needed():
             raise Stopped
 
     def _answer(self, workspace: OpenWorkspace) -> None:
@@ -202,8 +209,18 @@ class Analysis:
 
     def _wait(self) -> None:
         with self._condition:
-            while not (self._texts or self._written or self._jobs or self._ends):
-                self._condition.wait()
+            for seconds in (BREATH, QUIET):
+                if self._condition.wait_for(self._is_needed, seconds):
+                    return
+                look(thoroughly=seconds == QUIET)
+            self._condition.wait_for(self._is_needed)
+
+    def _pause(self) -> None:
+        with self._condition:
+            self._condition.wait_for(self._is_needed, PAUSE)
+
+    def _is_needed(self) -> bool:
+        return bool(self._texts or self._written or self._jobs or self._ends)
 
     def _step(self, workspace: OpenWorkspace) -> None:
         with self._condition:
@@ -224,10 +241,13 @@ class Analysis:
         rest = waiting[len(near) :]
         if rest and (texts or written):
             self._hand_over(workspace, versions, whole=False)
+        if rest and texts:
+            self._pause()
         for request in rest:
             self._checkpoint()
             workspace.work(request)
             workspace.forget_all_but(opened)
+            look(thoroughly=False)
         self._hand_over(workspace, versions, whole=True)
         self._wait()
 

@@ -112,7 +112,11 @@ def changed_from(text: str, before: str) -> Recovered:
 
 def _alike(one: str, other: str) -> int:
     """How many characters the beginnings of two texts share."""
-    return next((at for at, (first, second) in enumerate(zip(one, other, strict=False)) if first != second), min(len(one), len(other)))
+    low, high = 0, min(len(one), len(other))
+    while low < high:
+        middle = (low + high + 1) // 2
+        low, high = (middle, high) if one[low:middle] == other[low:middle] else (low, middle - 1)
+    return low
 
 
 class _Open:

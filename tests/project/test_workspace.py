@@ -249,3 +249,17 @@ def test_a_file_that_is_opened_is_told_of_before_its_other_configurations_have_b
     (found,) = interim
     assert {rule for rule, _, _ in found} == {"LL206", "LL301"}
     assert places(list(workspace.outcome([main]).findings)) == found
+
+
+def test_to_prove_a_fix_tells_nobody_what_would_be_found_after_it(tmp_path: Path) -> None:
+    make(tmp_path)
+    workspace = OpenWorkspace(str(tmp_path))
+    main = str(tmp_path / "launch" / "main.launch")
+    (request,) = [each for each in workspace.waiting([main]) if each.at == main]
+    told_first: list[str] = []
+    workspace.work(request, lambda: told_first.append("first"))
+    before = workspace.outcome([main]).findings
+    (finding,) = [each for each in before if each.rule == "LL206" and each.fix is not None]
+    assert workspace.refusal(finding) == ""
+    assert workspace.outcome([main]).findings == before
+    assert told_first == ["first"]

@@ -59,7 +59,7 @@ async function start(output: vscode.LogOutputChannel, topology: Topology): Promi
   if (!vscode.workspace.getConfiguration("launchlint", folder).get("enable", true)) return;
   const program = await find(folder);
   if (program === undefined) {
-    await missing(folder);
+    void missing(folder); // whoever waits until the extension is active must not wait until somebody has answered
     return;
   }
   output.info(`${program.command}: ${program.version}`);

@@ -90,6 +90,8 @@ def _have_one_name(left: str, right: str, *_: str) -> bool:
 
 def _mismatches(channel: Channel, are_alike: Callable[[str, str, str, str], bool]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """One pair of ends for each pair of types that cannot talk to each other."""
+    if not channel.offers or not channel.uses:
+        return
     offers, uses = _by_type(channel.offers), _by_type(channel.uses)
     if not offers or not uses or (len(offers) == 1 and offers.keys() == uses.keys()):
         return

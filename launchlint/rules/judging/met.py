@@ -19,11 +19,13 @@ def met(rule: Rule, view: GraphView, *roles: str) -> Iterator[Fine]:
     """Say of each end of these roles in an included file that another node is at the other end of its name."""
     known = view.once(owners)
     for channel in view.graph.channels.values():
-        if channel.is_hub or channel.is_plumbing:
+        if not channel.offers or not channel.uses or channel.is_hub or channel.is_plumbing:
             continue
         for end in (*channel.offers, *channel.uses):
+            if end.role not in roles or end.action:
+                continue
             instance = known[id(end)]
-            if end.role not in roles or end.action or instance.node.origin.step is None:
+            if instance.node.origin.step is None:
                 continue
             if any(each.node != end.node for each in (channel.uses if end.role in OFFERS else channel.offers)):
                 yield rule.fine(acting_origin(end, instance), topic_of(end))
