@@ -30,13 +30,16 @@ GROWING = ("write", "pwrite64", "mkdir")
 """Those that need room on the disk."""
 
 
-def traced(directory: Path, cache: Path, words: Sequence[str], *inject: str, log: Path) -> Ran:
-    """Run ``launchlint WORDS`` in ``directory`` under strace, with these injections; ``log`` gets the system calls that write."""
+def traced(directory: Path, cache: Path, words: Sequence[str], *inject: str, log: Path, **variables: str) -> Ran:
+    """Run ``launchlint WORDS`` in ``directory`` under strace, with these injections; ``log`` gets the system calls that write.
+
+    ``variables`` are those of the environment besides the usual ones.
+    """
     command = ["strace", "-qq", "-o", str(log), "-e", f"trace={','.join(WRITING)}"]
     for each in inject:
         command += ["-e", f"inject={each}"]
     command += [sys.executable, "-m", "launchlint", *words]
-    environment = clean_environment(cache, PYTHONDONTWRITEBYTECODE="1")
+    environment = clean_environment(cache, PYTHONDONTWRITEBYTECODE="1", **variables)
     done = subprocess.run(command, cwd=directory, env=environment, capture_output=True, timeout=120, check=False)
     return Ran(done.returncode, done.stdout.decode(), done.stderr.decode())
 
