@@ -6,6 +6,7 @@ from launchlint.problem import Problem
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any, Literal
 
     from launchlint.model import Node
@@ -120,6 +121,10 @@ class UndeclaredArg(Problem):
     in_expression: bool
     asked: tuple[tuple[str, str], ...] = ()
     elsewhere: tuple[Place, ...] = ()
+
+    def among(self, known: Iterable[str]) -> UndeclaredArg:
+        """The same where other args are in scope."""
+        return UndeclaredArg(**vars(self) | {"known": tuple(known)})
 
     @property
     def lacks(self) -> tuple[str, str]:

@@ -45,24 +45,24 @@ class _Process(NamedTuple):
 
 def connect(launch: Launch, library: Library, earlier: Earlier | None = None) -> ConnectionGraph:
     """The connection graph of ``launch``, tests included. ``earlier`` are the other configurations of the same entry file, if any."""
+    earlier = earlier or Earlier()
     if launch.dialect != ROS1:
         from launchlint.graph.connect_ros2 import instances_of
 
-        nodes, own = instances_of(launch, library.of_launch(launch.dialect))
-        return _graph(launch, nodes, own)
+        nodes, own = instances_of(launch, library.of_launch(launch.dialect), earlier)
+        return _graph(launch, nodes, own, earlier)
     parameters = Parameters(launch.parameters, launch.more_parameters)
-    earlier = earlier or Earlier()
     processes = [earlier.process(node, partial(_process, library)) for node in (*launch.nodes, *launch.tests)]
     managers = {process.namer.resolve(LOAD).name: process for process in processes if _is_manager(process)}
     found: list[Instance] = []
     for process in processes:
         manager = _manager(process, managers)
         make = partial(_instance, process, manager, parameters, library)
-        found.append(earlier.instance(process.node, process, manager, parameters, make))
-    return _graph(launch, tuple(found), parameters)
+        found.append(earlier.instance(process.node, (process, manager), parameters, make))
+    return _graph(launch, tuple(found), parameters, earlier)
 
 
-def _graph(launch: Launch, instances: tuple[Instance, ...], parameters: Parameters) -> ConnectionGraph:
+def _graph(launch: Launch, instances: tuple[Instance, ...], parameters: Parameters, earlier: Earlier) -> ConnectionGraph:
     """What all nodes say under one name meets in a channel."""
     channels: dict[tuple[str, str], Channel] = {}
     readers: dict[str, list[Reading]] = {}
@@ -75,7 +75,7 @@ def _graph(launch: Launch, instances: tuple[Instance, ...], parameters: Paramete
             (channel.offers if endpoint.role in OFFERS else channel.uses).append(endpoint)
         for reading in instance.readings:
             readers.setdefault(reading.name, []).append(reading)
-    unseen = Unseen(launch, instances, parameters)
+    unseen = Unseen(launch, instances, parameters, earlier)
     ordered = {key: channels[key] for key in sorted(channels)}
     return ConnectionGraph(launch, instances, ordered, parameters, {name: tuple(readers[name]) for name in sorted(readers)}, unseen)
 

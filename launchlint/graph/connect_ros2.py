@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple
 
 from launchlint.graph.command_line import CommandLine
 from launchlint.graph.connections import Instance
+from launchlint.graph.earlier import Earlier
 from launchlint.graph.instantiate import Interface, instantiate
 from launchlint.graph.names_rcl import RclNamer
 from launchlint.graph.parameters import NodeParameters
@@ -17,6 +19,7 @@ from launchlint.library.program import Program, Variant
 from launchlint.library.template import fill, parse
 from launchlint.model import Launch, Node, Role
 from launchlint.rcl.names import is_node_name
+from launchlint.source import Place
 
 _KINDS = {"container": "container", "composable": "component"}
 
@@ -24,24 +27,33 @@ _KINDS = {"container": "container", "composable": "component"}
 class _Known(NamedTuple):
     """What is known of what a node runs; ``reason``: why nothing is, for people. ``name`` and ``namespace`` are those that it ends up with.
 
-    A name that nobody knows is empty.
+    A name that nobody knows is empty. ``node`` has the params that it ends up with, too.
     """
 
+    node: Node
     program: Program | None
     reason: str
     name: str
     namespace: str
 
 
-def instances_of(launch: Launch, library: Library) -> tuple[tuple[Instance, ...], NodeParameters]:
-    """The nodes in the order in which they are started, and the params of each."""
-    known = [_called(node, *_program(node, library)) for node in launch.nodes]
-    names = _names(launch.nodes, known)
-    nodes = [_with_params(*each) for each in zip(launch.nodes, known, names, strict=True)]
-    parameters = NodeParameters(zip(names, nodes, strict=True))
-    containers = {name: name for name, node in zip(names, nodes, strict=True) if node.kind == "container"}
-    made = (_instance(node, name, containers, parameters, each) for node, name, each in zip(nodes, names, known, strict=True))
-    return tuple(made), parameters
+def instances_of(launch: Launch, library: Library, earlier: Earlier) -> tuple[tuple[Instance, ...], NodeParameters]:
+    """The nodes in the order in which they are started, and the params of each; ``earlier`` are other configurations of the entry file."""
+    known = [earlier.process(node, partial(_known, library)) for node in launch.nodes]
+    names = _names(known)
+    parameters = NodeParameters((name, its.node) for name, its in zip(names, known, strict=True))
+    containers = {name: name for name, its in zip(names, known, strict=True) if its.node.kind == "container"}
+    found: list[Instance] = []
+    before: Counter[tuple[str, Place]] = Counter()
+    for name, its in zip(names, known, strict=True):
+        host, key = name, (its.node.full_name, its.node.origin.place)
+        if its.node.kind == "composable":
+            target = its.node.container or ""
+            host = containers.get(target if target.startswith("/") else f"/{target}", "")
+        make = partial(_instance, its, name, host, parameters)
+        found.append(earlier.instance(its.node, (its, name, host), parameters, make, before[key]))
+        before[key] += 1
+    return tuple(found), parameters
 
 
 def program_of(node: Node) -> str:
@@ -64,8 +76,9 @@ def _program(node: Node, library: Library) -> tuple[Program | None, str]:
     return None, library.why_unknown(table, name, node.package) or f"no library knows {program_of(node)}"
 
 
-def _called(node: Node, program: Program | None, reason: str) -> _Known:
+def _known(library: Library, node: Node) -> _Known:
     """With the name and namespace that launch gives it, or else those that it gives itself."""
+    program, reason = _program(node, library)
     name, namespace = node.name, node.namespace
     if program is not None and not (name and node.has_namespace):
         provisional = f"{namespace}{name or '?'}"
@@ -75,7 +88,10 @@ def _called(node: Node, program: Program | None, reason: str) -> _Known:
             name = _said(variants, "node", start)
         if not node.has_namespace and (own := _said(variants, "namespace", start)).startswith("/"):
             namespace = f"{own.rstrip('/')}/"
-    return _Known(program, reason, name if name == node.name or is_node_name(name) else "", namespace)
+    name = name if name == node.name or is_node_name(name) else ""
+    if node.own_as is not None and name:  # what its params are under the name that it gives itself
+        node = node._replace(**node.own_as(f"{namespace}{name}")._asdict())
+    return _Known(node, program, reason, name, namespace)
 
 
 def _said(variants: Sequence[Variant], key: str, start: Start) -> str:
@@ -86,14 +102,14 @@ def _said(variants: Sequence[Variant], key: str, start: Start) -> str:
     return found if isinstance(found, str) else ""
 
 
-def _names(nodes: Sequence[Node], known: Sequence[_Known]) -> list[str]:
+def _names(known: Sequence[_Known]) -> list[str]:
     """The full names. A node whose name nobody knows is called by its program: ``/(talker)``."""
     seen: Counter[str] = Counter()
     names: list[str] = []
-    for node, its in zip(nodes, known, strict=True):
+    for its in known:
         name = f"{its.namespace}{its.name}"
         if not its.name:
-            program = node.plugin or node.executable or "?"
+            program = its.node.plugin or its.node.executable or "?"
             name = f"{its.namespace}({program})"
             seen[name] += 1
             if seen[name] > 1:
@@ -102,14 +118,8 @@ def _names(nodes: Sequence[Node], known: Sequence[_Known]) -> list[str]:
     return names
 
 
-def _with_params(node: Node, known: _Known, name: str) -> Node:
-    """The node with the params that it ends up with under the name that it gives itself, where launch gives none."""
-    if node.own_as is None or not known.name:
-        return node
-    return node._replace(**node.own_as(name)._asdict())
-
-
-def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: NodeParameters, known: _Known) -> Instance:
+def _instance(known: _Known, name: str, host: str, parameters: NodeParameters) -> Instance:
+    node = known.node
     certain = node.knows("namespace") and not node.fatal and not any(condition.assumed for condition in node.conditions)
     unknown_remaps = [each.patterns for each in node.open_remaps if each.patterns is not None]
     namer = RclNamer(known.namespace, name, node.remaps, unknown_remaps, node.own, is_named=bool(node.name))
@@ -119,10 +129,6 @@ def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: 
         start = _start(node, namer, parameters, program)
         variants = program.variant(start)
         part = instantiate(program, start, namer, name, certain=certain)
-    host = name
-    if node.kind == "composable":
-        target = node.container or ""
-        host = containers.get(target if target.startswith("/") else f"/{target}", "")
     return Instance(
         node=node,
         name=name,

@@ -30,8 +30,7 @@ DEEPEST = 16
 class _Made(NamedTuple):
     """An instance with all that it was made from; ``params`` are those that were asked for."""
 
-    process: object
-    manager: object
+    made_of: tuple[object, ...]
     params: Mapping[str, Any]
     instance: Instance
 
@@ -41,8 +40,9 @@ class Earlier:
 
     def __init__(self) -> None:
         self._processes: dict[tuple[str, Place], tuple[Node, Any]] = {}
-        self._made: dict[tuple[str, Place], _Made] = {}
+        self._made: dict[tuple[str, Place, int], _Made] = {}
         self._facts: dict[tuple[int, object], tuple[Instance, Any]] = {}
+        self._with_params: dict[tuple[int, object], tuple[Instance, Mapping[str, Any], Any]] = {}
 
     def process(self, node: Node, make: Callable[[Node], Process]) -> Process:
         """What ``make`` gives for ``node``, which must depend on nothing else; that of an equal node if there was one."""
@@ -57,20 +57,26 @@ class Earlier:
             self._processes[key] = (node, process)
         return process
 
-    def instance(self, node: Node, process: object, manager: object, parameters: Parameters, make: Callable[[], Instance]) -> Instance:
-        """What ``make`` gives for ``node``; the same as before where ``process``, ``manager`` and all params it asks for are the same."""
-        key = _key(node)
+    def instance(
+        self, node: Node, made_of: tuple[object, ...], parameters: Parameters, make: Callable[[], Instance], number: int = 0
+    ) -> Instance:
+        """What ``make`` gives for ``node``; the same as before where all params it asks for are the same, and all that it is ``made_of``.
+
+        Texts among these are the same where they are equal, everything else where it is one and the same. ``number`` is that of the nodes
+        of this configuration that have the same name and place and come before it: each of them is an instance of its own.
+        """
+        key = (*_key(node), number)
         known = self._made.get(key)
         if (
             known is not None
-            and known.process is process
-            and known.manager is manager
+            and len(known.made_of) == len(made_of)
+            and all(map(_is_one, known.made_of, made_of))
             and all(_is_same(parameters.value(name), value) for name, value in known.params.items())
         ):
             return known.instance
         parameters.noted()
         instance = make()
-        self._made[key] = _Made(process, manager, parameters.noted(), instance)
+        self._made[key] = _Made(made_of, parameters.noted(), instance)
         return instance
 
     def fact(self, instance: Instance, work: Callable[[Instance, Library], Fact], library: Library) -> Fact:
@@ -79,6 +85,15 @@ class Earlier:
         if key not in self._facts:
             self._facts[key] = (instance, work(instance, library))  # the instance stays alive, and so its id its own
         fact: Fact = self._facts[key][1]
+        return fact
+
+    def with_params(self, instance: Instance, params: Mapping[str, Any], work: Callable[[Instance, Mapping[str, Any]], Fact]) -> Fact:
+        """What ``work`` makes of an instance and values of params, and of nothing else; once for each instance with the same values."""
+        key = (id(instance), work)
+        known = self._with_params.get(key)
+        if known is None or not _is_same(known[1], params):
+            known = self._with_params[key] = (instance, params, work(instance, params))
+        fact: Fact = known[2]
         return fact
 
 
@@ -91,6 +106,10 @@ def _is_deep(node: Node) -> bool:
     while scope is not None and depth <= DEEPEST:
         scope, depth = scope.parent, depth + 1
     return depth > DEEPEST
+
+
+def _is_one(one: object, other: object) -> bool:
+    return one is other or (isinstance(one, str) and one == other)
 
 
 def _is_same(value: Any, other: Any) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from launchlint.graph.names import Applied, Namer, Resolved, Rule, clean, placed
 from launchlint.graph.qos import qos_of
 from launchlint.model import Remap
-from launchlint.rcl.names import Names, expand, is_node_name
+from launchlint.rcl.names import Names, is_node_name
 from launchlint.rcl.remap import Rule as RclRule
 from launchlint.rcl.remap import parse
 
@@ -149,7 +149,7 @@ class RclNamer(Namer):
     def _expanded(self, name: str) -> str | None:
         """``name`` before any rule. A library that is written for ROS 1 spells private names ``~name``."""
         name = f"~/{name[1:]}" if name.startswith("~") and name[1:2] not in ("", "/") else name
-        found = expand(name, self._names.node, self.namespace)
+        found = self._names.expand(name)
         if found is None or self._names.node != _UNNAMED:
             return found
         below = f"{self._names.full_name}/"

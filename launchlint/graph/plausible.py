@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.connections import Doubt, Instance
+from launchlint.graph.earlier import Earlier
 from launchlint.graph.names import absolute, around
 from launchlint.graph.parameters import Parameters
 from launchlint.library.terms import CATEGORIES
@@ -197,8 +198,9 @@ class Strangers:
 class _Said:
     """What the launch file says of the names of its nodes, worked out when it is asked for and once for all categories."""
 
-    def __init__(self, launch: Launch, instances: tuple[Instance, ...], parameters: Parameters) -> None:
+    def __init__(self, launch: Launch, instances: tuple[Instance, ...], parameters: Parameters, earlier: Earlier) -> None:
         self._parameters = parameters
+        self._earlier = earlier
         self._launch = launch
         self._known = {each.name for each in instances if not each.is_unknown}
         self._found: dict[int, tuple[frozenset[str], frozenset[str]]] = {}
@@ -212,7 +214,9 @@ class _Said:
         else:
             return None
         if id(instance) not in self._found:
-            self._found[id(instance)] = self._names_of(instance)
+            below = islice(self._parameters.below(instance.name), _MOST_VALUES)
+            values = {name: self._parameters.value(name) for name in below if _NO_TOPIC not in name}
+            self._found[id(instance)] = self._earlier.with_params(instance, values, _names_of)
         names, moved = self._found[id(instance)]
         anything = not (instance.is_unknown or instance.literals)
         anywhere = anything or UNKNOWN_NAMESPACE in instance.namer.namespace
@@ -228,26 +232,23 @@ class _Said:
                 found.update(each for each in _names([setting.value], "/", "/") if each.count("/") > 1)
         return frozenset(found)
 
-    def _names_of(self, instance: Instance) -> tuple[frozenset[str], frozenset[str]]:
-        """The names that something says it has, and those that its remaps lead away from it."""
-        namer, node = instance.namer, instance.node
-        own = [
-            applied for applied in namer.remappings.values() if applied.rule.remap is None or _is_inside(applied.rule.remap.origin, node)
-        ]
-        targets = {applied.target for applied in own}
-        moved = frozenset(namer.remappings) - {applied.target for applied in namer.remappings.values()}
-        try:
-            words = split_words(node.arguments)
-        except ValueError:
-            words = []
-        below = islice(self._parameters.below(instance.name), _MOST_VALUES)
-        values = [self._parameters.value(name) for name in below if _NO_TOPIC not in name]
-        texts = [part for word in words[:_MOST_VALUES] if ":=" not in word for part in word.split("=")]
-        texts += [text for value in values for text in _texts(value)]
-        names = set(_names(texts, namer.namespace, namer.private))
-        names |= targets
-        names.update(f"{target.rpartition('/')[0]}/camera_info" for target in targets)  # image_transport takes it from beside the image
-        return frozenset(namer.moved(name) for name in names), moved
+
+def _names_of(instance: Instance, params: Mapping[str, Any]) -> tuple[frozenset[str], frozenset[str]]:
+    """The names that something says it has, and those that its remaps lead away from it; ``params`` are its own."""
+    namer, node = instance.namer, instance.node
+    own = [applied for applied in namer.remappings.values() if applied.rule.remap is None or _is_inside(applied.rule.remap.origin, node)]
+    targets = {applied.target for applied in own}
+    moved = frozenset(namer.remappings) - {applied.target for applied in namer.remappings.values()}
+    try:
+        words = split_words(node.arguments)
+    except ValueError:
+        words = []
+    texts = [part for word in words[:_MOST_VALUES] if ":=" not in word for part in word.split("=")]
+    texts += [text for value in params.values() for text in _texts(value)]
+    names = set(_names(texts, namer.namespace, namer.private))
+    names |= targets
+    names.update(f"{target.rpartition('/')[0]}/camera_info" for target in targets)  # image_transport takes it from beside the image
+    return frozenset(namer.moved(name) for name in names), moved
 
 
 def _is_inside(origin: Any, node: Any) -> bool:
@@ -282,8 +283,8 @@ def _says(doubt: Doubt, name: str) -> bool:
 class Unseen:
     """All that may be there although the graph of one launch does not show it."""
 
-    def __init__(self, launch: Launch, instances: tuple[Instance, ...], parameters: Parameters) -> None:
-        said = _Said(launch, instances, parameters)
+    def __init__(self, launch: Launch, instances: tuple[Instance, ...], parameters: Parameters, earlier: Earlier) -> None:
+        said = _Said(launch, instances, parameters, earlier)
         self._strangers = {category: Strangers(category, launch, instances, said) for category in CATEGORIES}
         self._known: dict[tuple[str, str, str, bool], tuple[Possible, ...]] = {}
 

@@ -7,7 +7,8 @@ Sources: ``rcl/src/rcl/expand_topic_name.c``, ``validate_topic_name.c``, ``node_
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 from launchlint.rcl.remap import Rule
 
@@ -38,6 +39,7 @@ def is_full_name(name: str) -> bool:
     return len(name) <= LONGEST_NAME and _FULL_NAME.fullmatch(name) is not None
 
 
+@lru_cache(maxsize=16384)  # the names of one program, and those in remap rules, are asked for with each node
 def is_written(name: str) -> bool:
     """Whether a program may ask for ``name``: what it becomes may still be refused."""
     if not name or name.endswith("/") or _WRITTEN.fullmatch(name) is None:
@@ -50,35 +52,21 @@ def full_name(namespace: str, name: str) -> str:
     return f"{namespace}{name}" if namespace.endswith("/") else f"{namespace}/{name}"
 
 
-def expand(name: str, node: str, namespace: str) -> str | None:
-    """``name`` as the node ``node`` of ``namespace`` means it, before any rule; None where rcl refuses it."""
-    if not is_written(name) or not is_node_name(node) or not is_namespace(namespace):
-        return None
-    if name.startswith("/") and "{" not in name:
-        return name
-    if name.startswith("~"):
-        name = full_name(namespace, node) + name[1:]
-    values = {"node": node, "ns": namespace, "namespace": namespace}
-    for word in set(_FILLED_IN.findall(name)):
-        if word not in values:
-            return None
-        name = name.replace(f"{{{word}}}", values[word])
-    return name if name.startswith("/") else full_name(namespace, name)
-
-
 class Names:
     """The names of one node: ``node_name`` and ``namespace`` are those its program gives it, ``rules`` what its command line says.
 
     ``node`` and ``namespace`` are what they become. A rule for a node counts by the name that the node has got.
     """
 
-    __slots__ = ("_rules", "namespace", "node")
+    __slots__ = ("_is_usable", "_rules", "_tables", "namespace", "node")
 
     def __init__(self, node_name: str, namespace: str, rules: Sequence[Rule] = ()) -> None:
         self._rules = rules
         self.node = next((rule.replacement for rule in rules if rule.acts == "node" and rule.node in (None, node_name)), node_name)
         given = namespace if namespace.startswith("/") else f"/{namespace}"
         self.namespace = next((rule.replacement for rule in rules if rule.acts == "namespace" and rule.node in (None, self.node)), given)
+        self._is_usable = is_node_name(self.node) and is_namespace(self.namespace)
+        self._tables: dict[str, Mapping[str, Rule]] = {}
 
     @property
     def full_name(self) -> str:
@@ -93,19 +81,42 @@ class Names:
         """What the service becomes that the program calls ``name``; None where rcl refuses it."""
         return self._resolved(name, "service")
 
+    def expand(self, name: str) -> str | None:
+        """``name`` as the node means it, before any rule; None where rcl refuses it."""
+        if not self._is_usable or not is_written(name):
+            return None
+        if name.startswith("/") and "{" not in name:
+            return name
+        if name.startswith("~"):
+            name = self.full_name + name[1:]
+        if "{" in name:
+            values = {"node": self.node, "ns": self.namespace, "namespace": self.namespace}
+            for word in set(_FILLED_IN.findall(name)):
+                if word not in values:
+                    return None
+                name = name.replace(f"{{{word}}}", values[word])
+        return name if name.startswith("/") else full_name(self.namespace, name)
+
     def rule(self, name: str, kind: str) -> Rule | None:
         """The first rule that acts on the expanded ``name``; ``kind`` is topic or service."""
+        if kind not in self._tables:
+            self._tables[kind] = self._acting_on(kind)
+        return self._tables[kind].get(name)
+
+    def _acting_on(self, kind: str) -> Mapping[str, Rule]:
+        """The rules for names of a kind, by what they act on: of several for one name the first."""
+        table: dict[str, Rule] = {}
         for rule in self._rules:
-            acts = rule.acts in (kind, "both") and rule.node in (None, self.node)
-            if acts and expand(rule.match, self.node, self.namespace) == name:
-                return rule
-        return None
+            expanded = self.expand(rule.match) if rule.acts in (kind, "both") and rule.node in (None, self.node) else None
+            if expanded is not None:
+                table.setdefault(expanded, rule)
+        return table
 
     def _resolved(self, name: str, kind: str) -> str | None:
-        expanded = expand(name, self.node, self.namespace)
+        expanded = self.expand(name)
         if expanded is None:
             return None
         rule = self.rule(expanded, kind)
         if rule is not None:
-            expanded = expand(rule.replacement, self.node, self.namespace)
+            expanded = self.expand(rule.replacement)
         return expanded if expanded is not None and is_full_name(expanded) else None

@@ -10,7 +10,6 @@ from typing import NamedTuple
 
 from launchlint.dialects.door import named
 from launchlint.dialects.record import Dialect
-from launchlint.dialects.ros1 import DIALECT as ROS1_DIALECT
 from launchlint.finding import Finding, Location
 from launchlint.fix.format.style import Style
 from launchlint.model import ROS2, Launch
@@ -52,17 +51,26 @@ def of_ros2(view: object) -> bool:
     return isinstance(view, (FileView, LaunchView)) and view.dialect.name == ROS2
 
 
-class FileView(NamedTuple):
+class FileView:
     """The syntax view: one launch file as it is written, the packages around it, and what the project's normal form is like.
 
     ``dialect`` is the one that it was read in. ``named_by``: the file that names the distribution of ROS 2 that it is read for, if any.
     """
 
-    document: Document
-    packages: Packages
-    style: Style = Style()
-    dialect: Dialect = ROS1_DIALECT
-    named_by: str = ""
+    def __init__(self, document: Document, packages: Packages, style: Style, dialect: Dialect, named_by: str) -> None:
+        self.document = document
+        self.packages = packages
+        self.style = style
+        self.dialect = dialect
+        self.named_by = named_by
+        self._worked_out: dict[object, Any] = {}
+
+    def once(self, work: Callable[[FileView], T]) -> T:
+        """What ``work`` makes of the view: worked out for the first rule that asks, and kept for the others."""
+        if work not in self._worked_out:
+            self._worked_out[work] = work(self)
+        made: T = self._worked_out[work]
+        return made
 
 
 class LaunchView:

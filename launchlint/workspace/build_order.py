@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.workspace.looking import note, walk, watched
@@ -10,7 +10,12 @@ from launchlint.workspace.texts import parts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import TypeAlias
+
     from launchlint.workspace.packages import Packages
+    from launchlint.workspace.place import Place
+
+    NeededBy: TypeAlias = Mapping[str, Mapping[str, bool]]
 
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_DIRECTORIES = 1_000
@@ -35,24 +40,50 @@ def ways_to(name: str, packages: Packages, *, lacking: bool = False) -> dict[str
     (catkin_pkg.topological_order: calculate_depends_for_topological_order). A ring is refused where one step of it is of the first kind;
     what only needs each other to run is built in any order. Linear in the number of dependencies.
     """
-    return _ways(name, _needed_by(packages, name if lacking else None))
+    if not lacking:
+        return _ways(name, packages.once(_declared))
+    needs = packages.once(_Needs)
+    note(needs.looked)
+    return _ways(name, {**needs.by, name: needs.of(name)})
 
 
-def _needed_by(packages: Packages, lacking: str | None) -> dict[str, dict[str, bool]]:
-    """Package → the packages that declare it, and whether for building; with ``lacking`` also those whose launch files use it.
+def _declared(packages: Packages) -> NeededBy:
+    return _needed_by(packages, {})
 
-    A package with more launch files than are read here may well use ``lacking``.
+
+class _Needs:
+    """``by``: package → the packages that declare it, and whether for building, or whose launch files use it.
+
+    ``looked`` is what that hangs on. A package with more launch files than are read here may well use any.
     """
-    used: Mapping[str, frozenset[str] | None] = {}
-    if lacking is not None:
-        used, looked = packages.once(_all_used)
-        note(looked)
+
+    def __init__(self, packages: Packages) -> None:
+        directories = [each.directory for place in _places(packages) for each in place.everything if each.name]
+        used, self.looked = watched(lambda: {directory: _used(directory) for directory in directories})
+        self.by = _needed_by(packages, used)
+        everything = [each for place in _places(packages) for each in place.everything if each.name and each.manifest is not None]
+        self._open = frozenset(each.name for each in everything if used[each.directory] is None)
+        self._numbers = {each.name: number for number, each in reversed(list(enumerate(everything)))} if self._open else {}
+
+    def of(self, name: str) -> Mapping[str, bool]:
+        """The packages that need ``name``, in the order of the workspaces."""
+        found = self.by.get(name, {})
+        if not self._open:
+            return found
+        return {each: found.get(each, False) for each in sorted(found.keys() | self._open, key=self._numbers.__getitem__)}
+
+
+def _places(packages: Packages) -> Sequence[Place]:
+    return packages.places[: len(packages.workspaces)]
+
+
+def _needed_by(packages: Packages, used: Mapping[str, frozenset[str] | None]) -> NeededBy:
+    """Package → the packages that declare it, and whether for building; what is ``used`` in the directory of one counts as declared."""
     needed_by: dict[str, dict[str, bool]] = {}
-    for place in packages.places[: len(packages.workspaces)]:
+    for place in _places(packages):
         for package in place.everything:
             if package.name and package.manifest is not None:
-                found = used.get(package.directory, frozenset())
-                named = found if found is not None else frozenset({lacking or ""})
+                named = used.get(package.directory) or frozenset()
                 for other in sorted(package.manifest.depends(*_WITH) | named):
                     needed_by.setdefault(other, {}).setdefault(package.name, False)
                 for other in sorted(package.manifest.depends(*_BEFORE)):
@@ -60,7 +91,7 @@ def _needed_by(packages: Packages, lacking: str | None) -> dict[str, dict[str, b
     return needed_by
 
 
-def _ways(name: str, needed_by: Mapping[str, Mapping[str, bool]]) -> dict[str, Way]:
+def _ways(name: str, needed_by: NeededBy) -> dict[str, Way]:
     start = (name, False)
     towards: dict[tuple[str, bool], tuple[str, bool]] = {start: start}
     waiting = [start]
@@ -79,12 +110,6 @@ def _ways(name: str, needed_by: Mapping[str, Mapping[str, bool]]) -> dict[str, W
                 names.append(state[0])
             found[names[0]] = Way(tuple(names), (names[0], True) in towards)
     return found
-
-
-def _all_used(packages: Packages) -> tuple[Mapping[str, frozenset[str] | None], frozenset[str]]:
-    """What the launch files of each package use, and what that hangs on."""
-    directories = [each.directory for place in packages.places[: len(packages.workspaces)] for each in place.everything if each.name]
-    return watched(lambda: {directory: _used(directory) for directory in directories})
 
 
 def _used(directory: str) -> frozenset[str] | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from launchlint.rcl import names, remap
+from launchlint.rcl import remap
 from launchlint.rcl.names import Names
 from launchlint.rcl.refused import Refused
 from launchlint.rcl.remap import Rule
@@ -36,7 +36,7 @@ def rules(*texts: str) -> list[Rule]:
     ],
 )
 def test_what_a_program_asks_for_is_expanded(name: str, expanded: str | None) -> None:
-    assert names.expand(name, "lidar", "/front") == expanded
+    assert Names("lidar", "/front").expand(name) == expanded
 
 
 def test_the_first_matching_rule_counts_and_none_is_applied_twice() -> None:

@@ -7,7 +7,7 @@ added inside still in it. What ``$(dirname)`` says is changed by an include and 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from typing import NamedTuple
 
 from launchlint.model import Remap, Unknown
@@ -75,27 +75,37 @@ class Uses:
     """What some actions did with the launch configurations: each that they ``read`` before they set it, as it was (None: not set), those
     that they have ``written`` and among these the ``added``, which were not there before.
 
-    ``asked``: the files that they looked into, by the includes that led to them, when these were executed already. ``all_names``: they
-    looked through the names of all configurations. ``open``: they did more than can be said so.
+    ``asked``: the files that they looked into, by the includes that led to them, when these were executed already. ``told``: the args of
+    which they asked whether their absence had been told. ``all_names``: they looked through the names of all configurations; ``ever`` are
+    all that were written, those in scopes that are left again, too. ``placed``: they set what ``$(dirname)`` and ``$(filename)`` say;
+    ``place_read``: they read it before. ``open``: they did more than can be said so.
     """
 
-    __slots__ = ("added", "all_names", "asked", "open", "read", "written")
+    __slots__ = ("added", "all_names", "asked", "ever", "open", "place_read", "placed", "read", "told", "written")
 
     def __init__(self) -> None:
         self.read: dict[str, Setting | None] = {}
         self.written: set[str] = set()
         self.added: set[str] = set()
+        self.ever: set[str] = set()
         self.asked: dict[tuple[int, ...], object] = {}
+        self.told: set[tuple[str, tuple[str, int]]] = set()
         self.all_names = False
+        self.place_read = False
+        self.placed = False
         self.open = False
 
-    def join(self, later: Uses) -> None:
-        """Add what was done by actions that were executed after these."""
+    def join(self, later: Uses, added: Set[str]) -> None:
+        """Add what was done by actions that were executed after these; ``added`` are the names that were not there before them."""
         for name, setting in later.read.items():
             if name not in self.written:
                 self.read.setdefault(name, setting)
         self.written |= later.written
-        self.added |= later.added
+        self.added |= added
+        self.ever |= later.ever
+        self.told |= later.told
+        self.place_read = self.place_read or (later.place_read and not self.placed)
+        self.placed = self.placed or later.placed
         for way, found in later.asked.items():
             self.asked.setdefault(way, found)
         self.all_names = self.all_names or later.all_names
@@ -115,8 +125,9 @@ class _Saved(NamedTuple):
 
 
 class Context:
-    """See the module. ``directory`` and ``file`` are what ``$(dirname)`` and ``$(filename)`` say.
+    """See the module.
 
+    ``here`` is what ``$(dirname)`` and ``$(filename)`` say: where something hangs on it, ``place`` is asked for.
     ``unread``: a launch file was included that is not read, and may have set configurations and variables of names that are not known; a
     group puts that back, too. ``unread_parameters`` says the same of params, which leak out of groups. ``leaked`` are the remaps and params
     that were set in a group whose end is passed, and are still in the lists, each by its identity. ``uses`` is what is done with the
@@ -125,9 +136,8 @@ class Context:
 
     __slots__ = (
         "configurations",
-        "directory",
         "environment",
-        "file",
+        "here",
         "leaked",
         "parameters",
         "remaps",
@@ -142,13 +152,33 @@ class Context:
         self.remaps: list[Remap] | None = None
         self.parameters: list[GlobalSource] | None = None
         self.environment = Environment(session)
-        self.directory: str | None = None
-        self.file: str | None = None
+        self.here: tuple[str | None, str | None] = (None, None)
         self.stack: list[_Saved] = []
         self.unread = False
         self.unread_parameters = False
         self.leaked: dict[int, Remap | GlobalSource] = {}
         self.uses = Uses()
+
+    @property
+    def directory(self) -> str | None:
+        """What ``$(dirname)`` says."""
+        return self.place()[0]
+
+    @property
+    def file(self) -> str | None:
+        """What ``$(filename)`` says."""
+        return self.place()[1]
+
+    def place(self) -> tuple[str | None, str | None]:
+        """What both say."""
+        uses = self.uses
+        uses.place_read = uses.place_read or not uses.placed
+        return self.here
+
+    def enter(self, directory: str | None, file: str | None) -> None:
+        """Set what both say: a file is executed now."""
+        self.uses.placed = True
+        self.here = (directory, file)
 
     def get(self, name: str) -> Setting | None:
         """A launch configuration, None where it is not set."""
@@ -162,6 +192,7 @@ class Context:
         """Set a launch configuration."""
         uses = self.uses
         uses.written.add(name)
+        uses.ever.add(name)
         if name not in self.configurations:
             uses.added.add(name)
         self.configurations[name] = setting

@@ -56,8 +56,8 @@ def include(walk: Walk, action: described.Include) -> None:
         _pass(walk, action, way)
         _unread(walk)
         return
-    context.file = os.path.abspath(file)
-    context.directory = os.path.dirname(context.file)
+    absolute = os.path.abspath(file)
+    context.enter(os.path.dirname(absolute), absolute)
     outer = walk.here
     step = walk.step_to(action.place)
     _tell_refusals(walk, known, step)
@@ -81,7 +81,7 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.executed[way] = known.description
     walk.executions.append((way, known.description))
     walk.here = Here(
-        file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way,
+        file, step, (*outer.files, absolute), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way,
         (*outer.sources, id(action.file)), outer.idle,
     )  # fmt: skip
     walk.performer.way = way
@@ -98,14 +98,14 @@ def _unread(walk: Walk) -> None:
 def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> None:
     """Execute the entry file with the args of the command line."""
     context = walk.context
-    context.file = os.path.abspath(file)
-    context.directory = os.path.dirname(context.file)
+    absolute = os.path.abspath(file)
+    context.enter(os.path.dirname(absolute), absolute)
     _tell_refusals(walk, known, None)
     told = _missing(walk, known.description, list(given), None)
     for name, value in given.items():
         steer = frozenset() if name in walk.pinned else frozenset((name,))
         context.set(name, Setting(value, None, "given", steer, same=name))
-    walk.here = Here(file, None, (context.file,), told=told)
+    walk.here = Here(file, None, (absolute,), told=told)
     walk.entered.append(Entered((), None, _names_in(known), (), known.source.path, known.refusal is not None))
     _run(walk, known, file)
 
@@ -153,7 +153,7 @@ def _missing(
         if shown.through is not None:
             passed |= listing.passed[shown.through] or frozenset()
         at = (argument.name, argument.place.key)
-        if argument.name in passed or at in walk.here.told:
+        if argument.name in passed or walk.has_told(at):
             continue
         told.add(at)
         _tell_missing(walk, shown.argument, shown.include, names, action)

@@ -1,13 +1,14 @@
 """What executing an action came to, for the next configuration of the same entry file: most of a launch is the same in all of them.
 
-All that an action can depend on is compared: where the walk is, what is in force, and those launch configurations that were read before
-they were set. Where all of it is equal once more, what came of the action is taken over, and nothing of it is executed.
+All that an action can depend on is compared: where the walk is, what is in force, and of the rest what was read before it was set. Where
+all of it is equal once more, what came of the action is taken over, and nothing of it is executed.
 """
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from launchlint.evaluate.problems import UndeclaredArg
 from launchlint.evaluate.ros2.context import Setting, Uses
 from launchlint.evaluate.ros2.listing import Listings
 from launchlint.model import Unknown
@@ -15,7 +16,7 @@ from launchlint.source import IncludeStep, Place
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Set
 
     from launchlint.evaluate.ros2.context import Value
     from launchlint.evaluate.ros2.parameters import GlobalSource
@@ -26,22 +27,23 @@ if TYPE_CHECKING:
 
     Logs = tuple[list[Any], ...]
     """What the walk collects, in the order in which it comes."""
-    Said = list[tuple[tuple[object, ...] | None, Problem]]
+    Saying = tuple[tuple[object, ...] | None, Problem]
+    Said = list[Saying]
     Key = tuple[int, tuple[int, ...]]
     """An action, and the includes that lead to it: each by its identity."""
 
+_NOTHING: frozenset[tuple[str, tuple[str, int]]] = frozenset()
 MOST_KEPT = 6
 """Outcomes of one action; the oldest goes first."""
 
 
 class Situation(NamedTuple):
-    """All that an action can depend on but launch configurations; ``remaps`` and ``parameters`` are None where there is no list,
-    ``leaked`` says of each of them whether its group is closed already.
+    """What an action depends on, but for launch configurations, ``$(dirname)`` and what has been told.
+
+    ``remaps`` and ``parameters`` are None where there is no list, ``leaked`` says of each of them whether its group is closed already.
     """
 
     here: Here
-    directory: str | None
-    file: str | None
     unread: bool
     unread_parameters: bool
     environment: dict[str, Value | None]
@@ -55,9 +57,7 @@ class Situation(NamedTuple):
         context = walk.context
         remaps, parameters = context.remaps, context.parameters
         return cls(
-            walk.here,
-            context.directory,
-            context.file,
+            walk.here._replace(told=_NOTHING),
             context.unread,
             context.unread_parameters,
             dict(context.environment.changes),
@@ -70,19 +70,26 @@ class Situation(NamedTuple):
 class Outcome(NamedTuple):
     """What an ``action`` came to in its ``situation``, with what it did to the launch configurations.
 
-    ``names`` are those that were set before it, where it looked through all of them. ``logged`` is what was added to each list of the walk.
+    ``names`` are those that were set before it, where it looked through all of them, and ``overwritten`` those among them that it set, too.
+    ``told`` says of the args that it asked for whether their absence had been told. ``place`` is what ``$(dirname)`` and ``$(filename)``
+    said before it, where it read that, and ``placed`` what they say after it, where it set that. ``logged`` is what was added to each list
+    of the walk.
     """
 
     action: Action
     situation: Situation
     uses: Uses
     names: frozenset[str] | None
+    overwritten: frozenset[str]
+    told: Mapping[tuple[str, tuple[str, int]], bool]
+    place: tuple[str | None, str | None] | None
+    placed: tuple[str | None, str | None] | None
     asked: Mapping[tuple[int, ...], object]
     settings: tuple[tuple[str, Setting], ...]
     after: Situation
     work: int
     logged: tuple[tuple[Any, ...], ...]
-    said: tuple[tuple[tuple[object, ...] | None, Problem], ...]
+    said: tuple[Saying, ...]
 
     def fits(self, action: Action, situation: Situation, walk: Walk) -> bool:
         """Whether ``action`` would come to the same now."""
@@ -94,7 +101,21 @@ class Outcome(NamedTuple):
                 return False
         if any(walk.executed.get(way) is not found for way, found in self.asked.items()):
             return False
-        return self.names is None or self.names == configurations.keys()
+        if any((each in walk.here.told) is not told for each, told in self.told.items()):
+            return False
+        if self.place is not None and self.place != walk.context.here:
+            return False
+        return self.names is None or self.overwritten <= configurations.keys()
+
+    def said_among(self, names: Set[str]) -> tuple[Saying, ...]:
+        """The problems as they are where ``names`` are set before it: those that list what is set list other names then."""
+        before = self.names
+        if before is None or before == names:
+            return self.said
+        gone = before - names
+        return tuple(
+            (key, each.among(sorted({*names, *each.known} - gone)) if isinstance(each, UndeclaredArg) else each) for key, each in self.said
+        )
 
 
 def _is_same(one: Setting | None, other: Setting | None) -> bool:
@@ -147,21 +168,27 @@ def _executed(walk: Walk, action: Action, perform: Callable[[Walk, Any], None], 
     logs = walk.logs
     starts = [len(log) for log in logs]
     executed = len(walk.executions)
+    before, place = walk.here.told, context.here
     said, work, waiting, anonymous = len(walk.said), walk.looked_at, len(walk.waiting), walk.performer.anonymous
     perform(walk, action)
     context.uses = around
-    around.join(uses)
+    around.join(uses, uses.added)
     after = Situation.of(walk)
     leaked = lists != (context.remaps, context.parameters) or (after.remaps, after.parameters) != (situation.remaps, situation.parameters)
     if leaked or uses.open or len(walk.waiting) > waiting or anonymous != walk.performer.anonymous:
         return None
     configurations = context.configurations
     inside = {way for way, _ in walk.executions[executed:]}
+    names = frozenset(configurations.keys() - uses.added) if uses.all_names else None
     return Outcome(
         action,
         situation,
         uses,
-        frozenset(configurations.keys() - uses.added) if uses.all_names else None,
+        names,
+        frozenset() if names is None else names & uses.ever,
+        {each: each in before for each in uses.told},
+        place if uses.place_read else None,
+        context.here if uses.placed else None,
         {way: found for way, found in uses.asked.items() if found is None or way not in inside},
         tuple((name, configurations[name]) for name in sorted(uses.written)),
         after,
@@ -173,14 +200,16 @@ def _executed(walk: Walk, action: Action, perform: Callable[[Walk, Any], None], 
 
 def _take_over(walk: Walk, outcome: Outcome) -> None:
     context, after, executed = walk.context, outcome.after, len(walk.executions)
-    context.uses.join(outcome.uses)
+    said = outcome.said_among(context.configurations.keys())
+    context.uses.join(outcome.uses, outcome.uses.written - context.configurations.keys())
     context.configurations.update(outcome.settings)
-    context.directory, context.file = after.directory, after.file
+    if outcome.placed is not None:
+        context.enter(*outcome.placed)
     context.unread, context.unread_parameters = after.unread, after.unread_parameters
     context.environment.restore(after.environment)
     walk.looked_at += outcome.work
     for log, logged in zip(walk.logs, outcome.logged, strict=True):
         log.extend(logged)
     walk.executed.update(walk.executions[executed:])
-    for key, problem in outcome.said:
+    for key, problem in said:
         walk.keep(problem, key)

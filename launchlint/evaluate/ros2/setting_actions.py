@@ -36,7 +36,7 @@ def argument(walk: Walk, action: described.Argument) -> None:
         note_overruled(walk, action, setting)
     else:
         if action.default is None:
-            if (name, action.place.key) not in walk.here.told:
+            if not walk.has_told((name, action.place.key)):
                 walk.record(RequiredArgUnset(origin=origin, refused=True, name=name))
             told = Told(f"$(var {name})", f"the arg {name} has no value")
             setting = Setting(told, origin, "missing", frozenset((name,)), same=name, way=walk.here.way)

@@ -287,6 +287,11 @@ class Walk:
         texts = (value for name, value in vars(problem).items() if isinstance(value, str) and name != "node")
         self.record(problem, (type(problem), problem.place.key, *texts))
 
+    def has_told(self, argument: tuple[str, tuple[str, int]]) -> bool:
+        """Whether the absence of an arg has been told where the file was included: its name, and the place of its declaration."""
+        self.context.uses.told.add(argument)
+        return argument in self.here.told
+
     def spend(self, actions: int, place: Place) -> None:
         """Count work at ``place`` that is worth that many actions. Raises Exhausted, at the bound of the whole evaluation."""
         self.looked_at += actions
@@ -435,7 +440,7 @@ class Walk:
     def defer(self, kind: str, actions: tuple[Action, ...], target: Place | None = None) -> None:
         """Execute ``actions`` after everything else, with the context as it is then."""
         context = self.context
-        self.waiting.append(Body(kind, actions, self.here, context.directory, context.file, context.configurations, target))
+        self.waiting.append(Body(kind, actions, self.here, *context.place(), context.configurations, target))
 
     def finish(self) -> None:
         """Execute what was deferred, in the order in which it was."""
@@ -454,7 +459,7 @@ class Walk:
         """Execute what was deferred, once everything else has been."""
         idle = body.here.idle or (body.target is not None and body.target.key not in self.running)
         self.here = body.here._replace(deferred=body.kind, idle=idle)
-        self.context.directory, self.context.file = body.directory, body.launch_file
+        self.context.enter(body.directory, body.launch_file)
         self.performer.way = body.here.way
         for problem in lost_in(body.actions, body.configurations, self.context.configurations, body.kind, self.at):
             self.record(problem)

@@ -25,6 +25,12 @@ from launchlint.syntax.ros2.description import (
 )
 from launchlint.syntax.ros2.everything import everything
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_LOOKED_AT = (Argument, Component, Include, Let, Node, Pair, Parameter, ParameterFile, Substitution)
+
 
 class Written(NamedTuple):
     """A text of the file. ``kind`` is the tag that it stands in, ``name`` what it is the value of, where that is written out."""
@@ -103,13 +109,21 @@ def masked(place: Place) -> Location:
     return at._replace(text=at.text[:start] + "*" * (end - start) + at.text[end:])
 
 
-def _everything(view: FileView) -> Iterator[object]:
+def _everything(view: FileView) -> tuple[tuple[Any, ...], ...]:
     """What stands in the file itself: of one in Python a function of another file may have made some of what it describes."""
+    return view.once(_own)
+
+
+def _own(view: FileView) -> tuple[tuple[Any, ...], ...]:
     document = view.document
-    for each in () if document.description is None else everything(document.description):
-        place = getattr(each, "place", None)
-        if not isinstance(place, Place) or place.source.path == document.source.path:
-            yield each
+    path = document.source.path
+    parts = () if document.description is None else everything(document.description)
+    return tuple(each for each in parts if isinstance(each, _LOOKED_AT) and _is_in(each, path))
+
+
+def _is_in(part: object, path: str) -> bool:
+    place = getattr(part, "place", None)
+    return not isinstance(place, Place) or place.source.path == path
 
 
 def _name(text: Text) -> str:

@@ -67,6 +67,25 @@ CASES = {
         '<arg name="a" default="0"/><let if="$(var a)" name="there" value="1"/>' + INCLUDE.format("b"),
         '<node pkg="pk" exec="n" args="$(var their)"/>',
     ),
+    "which names are set, and which are made": (
+        '<arg name="a" default="0"/><let if="$(var a)" name="there" value="1"/><let if="$(var a)" name="here" value="1"/>'
+        + INCLUDE.format("b"),
+        (
+            '<group><let name="there" value="2"/><node pkg="pk" exec="n" args="$(var their)"/></group>'
+            '<let name="other" value="3"/><node pkg="pk" exec="n" args="$(var their)"/>'
+        ),
+    ),
+    "the directory before an include": (
+        (
+            f'<arg name="a" default="0"/><group if="$(var a)">{INCLUDE.format("c")}</group><group scoped="false">'
+            f'<node pkg="pk" exec="$(filename)"/>{INCLUDE.format("b")}</group>'
+        ),
+        '<node pkg="pk" exec="$(filename)"/>',
+    ),
+    "an arg that is not passed": (
+        f'<arg name="a" default="0"/><let if="$(var a)" name="x" value="1"/>{INCLUDE.format("b")}{INCLUDE.format("b")}',
+        f'<arg name="x"/><group><arg name="x"/></group><node pkg="pk" exec="n" args="$(var x none)"/>{INCLUDE.format("c")}',
+    ),
     "a condition around": ('<arg name="a" default="0"/><group if="$(not $(var a))">' + INCLUDE.format("b") + "</group>", NODE),
     "a file by its name": (
         f'<arg name="a" default="0"/><let name="f" value="$(if $(var a) b c)"/>{INCLUDE.format("$(var f)")}{INCLUDE.format("$(var f)")}',
@@ -129,6 +148,13 @@ def evaluated(made: Workspace, *values: str) -> list[Launch]:
 def test_nothing_is_executed_again_that_depends_on_nothing(tmp_path: Path) -> None:
     first, second = evaluated(workspace(tmp_path, "nothing"), "0", "1")
     assert first.nodes[0] is second.nodes[0]
+
+
+@pytest.mark.parametrize("case", ["which names are set", "the directory"])
+def test_what_only_lists_names_or_says_where_it_is_itself_is_not_executed_again(case: str, tmp_path: Path) -> None:
+    first, second = evaluated(workspace(tmp_path, case), "0", "1")
+    assert first.nodes[-1] is second.nodes[-1]
+    assert case == "the directory" or first.problems != second.problems
 
 
 def test_what_depends_on_the_arg_is_kept_for_each_value(tmp_path: Path) -> None:
