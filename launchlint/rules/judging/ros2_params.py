@@ -19,6 +19,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from launchlint.library.lookup import Library
+
 TYPES = {
     "bool": "bool",
     "int": "integer",
@@ -65,16 +67,22 @@ class Given(NamedTuple):
 def given(view: GraphView) -> Iterator[Given]:
     """All values of params that the nodes of a launch declare for certain."""
     for instance in view.graph.instances:
-        own = instance.node.own
-        if not own or not instance.certain or instance.undeclared or instance.is_unknown:
-            continue
-        for name, readings in _declared(instance).items():
-            type_, value = own.get(name, ("", None))
-            wanted = tuple(each.declaration.declared for each in readings if each.declaration.declared is not None)
-            sure = all(each.certain for each in readings) and all(each.declared and each.type and not each.dynamic for each in wanted)
-            if type_ in TYPES and sure and not isinstance(value, Unknown):
-                value = list(value) if isinstance(value, tuple) else value
-                yield Given(instance, name, TYPES[type_], value, wanted, place_of(instance, name))
+        yield from view.fact(instance, _given)
+
+
+def _given(instance: Instance, library: Library) -> tuple[Given, ...]:
+    own = instance.node.own
+    if not own or not instance.certain or instance.undeclared or instance.is_unknown:
+        return ()
+    found: list[Given] = []
+    for name, readings in _declared(instance).items():
+        type_, value = own.get(name, ("", None))
+        wanted = tuple(each.declaration.declared for each in readings if each.declaration.declared is not None)
+        sure = all(each.certain for each in readings) and all(each.declared and each.type and not each.dynamic for each in wanted)
+        if type_ in TYPES and sure and not isinstance(value, Unknown):
+            value = list(value) if isinstance(value, tuple) else value
+            found.append(Given(instance, name, TYPES[type_], value, wanted, place_of(instance, name)))
+    return tuple(found)
 
 
 def place_of(instance: Instance, name: str) -> Origin:

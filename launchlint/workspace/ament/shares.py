@@ -26,14 +26,34 @@ class Shared(NamedTuple):
 def shared(packages: Packages, file: str) -> Shared | None:
     """The package whose share directory ``file`` (absolute) would lie in; ``None`` where it is that of no package of the workspaces."""
     colcon = packages.colcon
-    nearest = colcon.package_of(file)
-    if nearest is None or not nearest.name or is_installed(nearest.directory):
-        return None
-    package = colcon.get(nearest.name, file)
-    if package is None or package.directory != nearest.directory:
-        return None
-    path = os.path.relpath(os.path.abspath(file), package.directory)
-    return None if path == "." else Shared(package, path, colcon.once(InstalledIndex).of(package))
+    found = colcon.once(_Places).of(file)
+    return None if found is None else Shared(*found, colcon.once(InstalledIndex).of(found[0]))
+
+
+class _Places:
+    """Where files lie in their packages: the same files are asked for in each configuration of many launch files."""
+
+    __slots__ = ("_found", "_packages")
+
+    def __init__(self, packages: Packages) -> None:
+        self._packages = packages
+        self._found: dict[str, tuple[Package, str] | None] = {}
+
+    def of(self, file: str) -> tuple[Package, str] | None:
+        """The package that ``file`` lies in, and its path there."""
+        if file not in self._found:
+            self._found[file] = self._place(file)
+        return self._found[file]
+
+    def _place(self, file: str) -> tuple[Package, str] | None:
+        nearest = self._packages.package_of(file)
+        if nearest is None or not nearest.name or is_installed(nearest.directory):
+            return None
+        package = self._packages.get(nearest.name, file)
+        if package is None or package.directory != nearest.directory:
+            return None
+        path = os.path.relpath(os.path.abspath(file), package.directory)
+        return None if path == "." else (package, path)
 
 
 def installed_source(packages: Packages, file: str) -> str | None:
