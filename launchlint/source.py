@@ -66,6 +66,9 @@ class Source:
         starts = self.line_starts
         if not 1 <= number <= len(starts):
             return len(self.text)
+        found = starts[number - 1] + column
+        if self.text.isascii() and found < (starts[number] if number < len(starts) else len(self.text)) - 1:
+            return found  # clear of the line end, and each character is one byte
         return starts[number - 1] + len(self.line(number).encode("utf-8", "replace")[:column].decode("utf-8", "ignore"))
 
     def line(self, number: int, longest: int | None = None) -> str:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
 
 from launchlint.python.failures import failure
 from launchlint.python.values import MORE, Function, Value
 from launchlint.python.walking import children, walk
 
 _GENERATES = "generates"
+_INSIDE = "own nodes"
+_OWN = "own"
 _OTHERS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
 
@@ -46,17 +47,19 @@ def is_generator(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> b
     return known
 
 
-def own_nodes(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> Iterator[ast.AST]:
-    """What stands in a function, without the functions and classes in it."""
-    waiting: list[ast.AST] = [node.body] if isinstance(node, ast.Lambda) else list(node.body)
-    while waiting:
-        each = waiting.pop()
-        yield each
-        if not isinstance(each, _OTHERS):
-            waiting += children(each)
-
-
-_OWN = "own"
+def own_nodes(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> list[ast.AST]:
+    """What stands in a function, without the functions and classes in it; they stay with the node."""
+    known: list[ast.AST] | None = vars(node).get(_INSIDE)
+    if known is None:
+        known = []
+        waiting: list[ast.AST] = [node.body] if isinstance(node, ast.Lambda) else list(node.body)
+        while waiting:
+            each = waiting.pop()
+            known.append(each)
+            if not isinstance(each, _OTHERS):
+                waiting += children(each)
+        setattr(node, _INSIDE, known)
+    return known
 
 
 def own_names(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> frozenset[str]:
