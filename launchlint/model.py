@@ -455,6 +455,11 @@ class Launch(NamedTuple):
     settled: bool = True
     followed: tuple[Followed, ...] = ()
 
+    @property
+    def verdict(self) -> Literal["ok", "error", "unknown"]:
+        """What its launcher does with it here and now: load it, refuse it, or what cannot be told."""
+        return "error" if self.refused is not None else "ok" if self.settled else "unknown"
+
     def noticed(self, kind: type[Kind]) -> Iterator[Kind]:
         """The problems of one kind."""
         return (problem for problem in self.problems if isinstance(problem, kind))

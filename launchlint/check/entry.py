@@ -50,7 +50,8 @@ ALONE_KINDS = frozenset({RequiredArgUnset, UndeclaredArg, UsedBeforeDeclaration}
 class EntryResult(NamedTuple):
     """What one entry file gives.
 
-    ``verdict`` says what roslaunch does with it here and now, ``ok`` or ``error``; ``outcome`` is what people are told of that.
+    ``verdict`` says what its launcher does with it here and now, ``ok``, ``error`` or, where that cannot be told, ``unknown``; ``outcome``
+    is what people are told of that.
     For the cache: ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none,
     ``variables`` the environment variables it read, ``looks`` the paths at which rules looked around, with their state
     (:func:`launchlint.workspace.looking.state`), ``programs`` those whose sources were asked for: middleware, key, digest. ``sight`` says
@@ -370,7 +371,7 @@ class EntryChecker:
         return EntryResult(
             request,
             path,
-            "ok" if refused is None else "error",
+            launch.verdict,
             error,
             tuple(findings.values()),
             tuple(fine),

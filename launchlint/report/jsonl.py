@@ -18,7 +18,7 @@ def render(findings: Sequence[Finding], run: Run) -> str:
 def entry_line(file: str, as_: str, verdict: str, findings: Sequence[Finding], outcome: Verdict) -> str:
     """The line, with its line end, for one entry of ``--entries``.
 
-    ``file`` was judged as if it stood at ``as_``; ``verdict`` says whether roslaunch would load it: ``ok`` or ``error``.
-    ``outcome`` is what people are told of that: it sets apart what only this machine lacks.
+    ``file`` was judged as if it stood at ``as_``; ``verdict`` says whether its launcher would load it: ``ok``, ``error`` or, where that
+    cannot be told of a program, ``unknown``. ``outcome`` is what people are told of that: it sets apart what only this machine lacks.
     """
     return dump({"file": file, "as": as_, "verdict": verdict, "outcome": outcome.as_object(), "findings": objects(findings)}) + "\n"

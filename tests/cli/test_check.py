@@ -254,6 +254,14 @@ def test_entries_are_judged_one_by_one(repository: Path) -> None:
     assert (to_file.output, (repository / "lines.jsonl").read_text()) == ("", ran.output)
 
 
+def test_an_entry_of_which_nobody_can_tell_is_neither_loaded_nor_refused(tmp_path: Path) -> None:
+    program = "from launch import LaunchDescription\nfrom elsewhere import actions\n"
+    program += "def generate_launch_description():\n    return LaunchDescription([actions()])\n"
+    write(tmp_path, {"a.launch.py": program, "entries.json": '[{"file": "a.launch.py"}]'})
+    line = json.loads(run(tmp_path, "check", "--entries", "entries.json", "--format", "jsonl").output)
+    assert (line["verdict"], line["outcome"]["word"]) == ("unknown", "cannot be told")
+
+
 def test_nothing_to_check(tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     assert run(tmp_path / "empty", "check") == (0, "no launch files to check\n", "")

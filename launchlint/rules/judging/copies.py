@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from launchlint.workspace.looking import is_file
 
@@ -21,10 +21,25 @@ def built_together(copies: Sequence[Package]) -> list[list[Package]]:
 
     So is what a ``COLCON_IGNORE`` sets aside: it is kept in a workspace of ROS 2.
     """
+    return _by_source_space(
+        copy
+        for copy in copies
+        if (copy.manifest is None or not copy.manifest.is_ament) and not is_file(posixpath.join(copy.directory, _NOT_BUILT))
+    )
+
+
+def built_together_by_colcon(copies: Iterable[Package]) -> list[list[Package]]:
+    """``copies`` of one name, as colcon finds them, those together that it would build in one workspace of ROS 2.
+
+    One that catkin builds, too, is left out: who keeps both sides by side sets the other one aside before building.
+    """
+    return _by_source_space(copy for copy in copies if copy.manifest is not None and copy.manifest.is_ament)
+
+
+def _by_source_space(copies: Iterable[Package]) -> list[list[Package]]:
     together: dict[str, list[Package]] = {}
     for copy in copies:
-        if (copy.manifest is None or not copy.manifest.is_ament) and not is_file(posixpath.join(copy.directory, _NOT_BUILT)):
-            together.setdefault(_source_space(copy), []).append(copy)
+        together.setdefault(_source_space(copy), []).append(copy)
     return list(together.values())
 
 
@@ -37,6 +52,6 @@ def first_of_name(package: Package, packages: Packages) -> Package:
 
 
 def _source_space(package: Package) -> str:
-    """The nearest directory called ``src`` above the package: a repository of exercises has a catkin workspace for each."""
+    """The nearest directory called ``src`` above the package: a repository of exercises has a workspace for each."""
     start, separator, _ = package.directory.rpartition("/src/")
     return start + separator

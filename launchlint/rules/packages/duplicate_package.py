@@ -1,13 +1,13 @@
 """Two packages of one workspace have the same name.
 
-What it does: it compares the names of all packages in each workspace. Copies that are built for ROS 2 only (ament) are passed
-over, and so are directories with a `CATKIN_IGNORE`, and copies below different `src` directories, which are workspaces of their
-own.
+What it does: it compares the names of all packages in each workspace: those that catkin builds among each other, and those that
+are built for ROS 2 only (ament). Directories with a `CATKIN_IGNORE` are passed over, those with a `COLCON_IGNORE` too, and so are
+copies below different `src` directories, which are workspaces of their own.
 
 ## Why it matters
 
 Which of them `$(find …)` and `pkg` mean hangs on the order in which the file system lists directories: it can be another one on
-another machine. catkin refuses to build such a workspace.
+another machine. catkin refuses to build such a workspace, and so does colcon: "Duplicate package names not supported".
 
 ## Example
 
@@ -56,7 +56,7 @@ import posixpath
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.judging.copies import built_together
+from launchlint.rules.judging.copies import built_together, built_together_by_colcon
 from launchlint.rules.judging.other_file import line_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
@@ -72,14 +72,26 @@ _MOST_SHOWN = 6
 
 
 def check(view: RunView) -> Iterator[Finding]:
-    """Yield one finding for each name that several packages bear (rospkg.rospack.list_by_path keeps the one it meets first)."""
+    """Yield one finding for each name that several packages bear (rospkg.rospack.list_by_path keeps the one it meets first).
+
+    ``colcon build`` stops before it builds anything.
+    """
     for name, copies in view.packages.duplicates().items():
         for built in built_together(copies):
-            if len(built) > 1 and any(view.is_asked(copy.directory) for copy in built):
-                yield _finding(name, built, view.root)
+            if _is_asked(view, built):
+                note = f"whether $(find {name}) means the one or the other hangs on the order of the file system"
+                yield _finding(name, built, view.root, note, "CATKIN_IGNORE")
+    for name, copies in view.packages.colcon.duplicates().items():
+        for built in built_together_by_colcon(copies):
+            if _is_asked(view, built):
+                yield _finding(name, built, view.root, "colcon refuses to build such a workspace: Duplicate package names not supported", "COLCON_IGNORE")
 
 
-def _finding(name: str, built: list[Package], root: str) -> Finding:
+def _is_asked(view: RunView, built: list[Package]) -> bool:
+    return len(built) > 1 and any(view.is_asked(copy.directory) for copy in built)
+
+
+def _finding(name: str, built: list[Package], root: str, note: str, ignored_by: str) -> Finding:
     places = [_place(copy, root) for copy in built[:_MOST_SHOWN]]
     more = (f"there are {len(built)} of them",) if len(built) > 2 else ()
     return RULE.at(
@@ -87,8 +99,8 @@ def _finding(name: str, built: list[Package], root: str) -> Finding:
         f"{len(built)} packages are named {name}",
         label="the second one",
         related=((places[0], "the first one"), *((place, "another one") for place in places[2:])),
-        notes=(*more, f"whether $(find {name}) means the one or the other hangs on the order of the file system"),
-        help=f"rename one, remove it, or put a CATKIN_IGNORE file into {shown(built[1].directory, root)}",
+        notes=(*more, note),
+        help=f"rename one, remove it, or put a {ignored_by} file into {shown(built[1].directory, root)}",
         topic=name,
         cause=_copied(built),
     )
