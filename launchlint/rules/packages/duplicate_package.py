@@ -69,6 +69,7 @@ if TYPE_CHECKING:
 RULE = Rule("LL703", "duplicate-package", Severity.WARNING)
 
 _MOST_SHOWN = 6
+_REFUSED = "colcon refuses to build such a workspace: Duplicate package names not supported"
 
 
 def check(view: RunView) -> Iterator[Finding]:
@@ -84,7 +85,7 @@ def check(view: RunView) -> Iterator[Finding]:
     for name, copies in view.packages.colcon.duplicates().items():
         for built in built_together_by_colcon(copies):
             if _is_asked(view, built):
-                yield _finding(name, built, view.root, "colcon refuses to build such a workspace: Duplicate package names not supported", "COLCON_IGNORE")
+                yield _finding(name, built, view.root, _REFUSED, "COLCON_IGNORE")
 
 
 def _is_asked(view: RunView, built: list[Package]) -> bool:
