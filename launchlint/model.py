@@ -419,11 +419,12 @@ class Launch(NamedTuple):
     files in order. ``complete`` is false where an include could not be followed, so that there may be more nodes than are known. In the
     namespaces ``more_parameters`` there may be more parameters than are known. ``dialect`` is that of the entry file.
 
-    The rest is of ROS 2: the ``distro`` whose launch this is, and the file that names it, where it was taken from one; ``programs`` that
-    are no nodes; ``declarations``, those of :attr:`declared`
+    The rest is of ROS 2: the ``distro`` whose launch this is, and the file that names it, where it was taken from one, with all that
+    are ``named`` (oldest first); ``programs`` that are no nodes; ``declarations``, those of :attr:`declared`
     as launch executed them; ``listed``, the args as people are shown them; ``late``, the first problem of each body that is executed
     later (a timer's) and fails then: it does not keep the file from being loaded; ``settled``: whether launch refuses the file can be told;
-    ``followed`` are those of its files that are programs.
+    ``followed`` are those of its files that are programs; ``transitions`` is where launch itself may take lifecycle nodes from one state to
+    the next.
     """
 
     entry: Source
@@ -448,12 +449,14 @@ class Launch(NamedTuple):
     dialect: DialectName = ROS1
     distro: str = ""
     named_by: str = ""
+    named: tuple[str, ...] = ()
     programs: tuple[Executable, ...] = ()
     declarations: tuple[Declaration, ...] = ()
     listed: tuple[ListedArgument, ...] = ()
     late: tuple[Problem, ...] = ()
     settled: bool = True
     followed: tuple[Followed, ...] = ()
+    transitions: tuple[Place, ...] = ()
 
     @property
     def verdict(self) -> Literal["ok", "error", "unknown"]:

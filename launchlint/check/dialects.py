@@ -12,7 +12,7 @@ from launchlint.workspace.discovery import PYTHON_END, is_program
 
 
 class SortedOut(NamedTuple):
-    """Requests for launch files, and the paths of others, each with the name of its root."""
+    """Requests for launch files, and the paths of others, each with the name of its root; empty where that is ``launch``."""
 
     kept: list[EntryRequest]
     other: tuple[tuple[str, str], ...]
@@ -20,7 +20,7 @@ class SortedOut(NamedTuple):
 
 def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: Session) -> SortedOut:
     """Tell launch files from others. Files in ``named`` (absolute) were asked for by name, and stay whatever they hold."""
-    from launchlint.workspace.launch_root import other_root
+    from launchlint.workspace.launch_root import names_no_program, other_root
 
     kept: list[EntryRequest] = []
     other: dict[str, str] = {}
@@ -32,6 +32,8 @@ def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: 
         data = session.read(request.file).data
         is_other = data is not None and os.path.abspath(request.at) not in named and not is_program(request.at, data)
         root = other_root(data) if data is not None and is_other else None
+        if root is None and data is not None and is_other and names_no_program(data):
+            root = ""
         if root is not None:
             other[session.shown(request.at)] = root
         else:

@@ -18,6 +18,8 @@ _MOST_EVIDENCE = 12
 
 _UNKNOWN_PARAM = re.compile(r"\{param:[^{}|]*\{any\}[^{}|]*(?:\|[^{}]*)?\}")
 """The value of a param whose name is not known: nobody can look it up."""
+_EACH = re.compile(r"\{each:(~[^\s{}|]+)\}")
+"""One of the values of a param that holds a list, as it is spelled before it is an entry of a library."""
 _WHEN = ("start", "subscriber", "message")
 _EXISTS = ("", "configured", "active")
 
@@ -71,7 +73,7 @@ def variant_of(
     groups: dict[str, dict[tuple[str, ...], list[Fact]]] = {category: {} for category in CATEGORIES}
     reasons: dict[str, dict[str, None]] = {}
     unresolved = 0
-    for fact in (each._replace(name=_UNKNOWN_PARAM.sub(ANY, each.name)) for each in facts):
+    for fact in (each._replace(name=_one_list(_UNKNOWN_PARAM.sub(ANY, each.name))) for each in facts):
         if fact.name in middleware.everywhere.get(fact.category, ()):
             continue
         if (fact.name == ANY and not middleware.type.fullmatch(fact.type)) or not _is_name(fact, middleware):
@@ -85,8 +87,11 @@ def variant_of(
     _without_action_topics(groups, middleware)
     called = {each.key: each.name or ANY for each in nodes if each.key}
     variant = _of_nodes(nodes)
+    lists = _lists(groups["params"])
     for category in CATEGORIES:
         entries = _entries(category, groups[category], source, middleware, called)
+        for entry in entries:
+            entry.update(_each(entry["name"], lists))
         if entries:
             variant[category] = entries
             unresolved += sum(ANY in entry["name"] for entry in entries)
@@ -95,13 +100,38 @@ def variant_of(
     return variant, unresolved
 
 
+def _one_list(name: str) -> str:
+    """A name that is made of values of several lists is not known: an entry goes through one of them."""
+    return _EACH.sub(ANY, name) if len(set(_EACH.findall(name))) > 1 else name
+
+
+def _lists(params: Mapping[tuple[str, ...], Sequence[Fact]]) -> dict[str, list[Any]]:
+    """The defaults of params that are lists, by the names of the params; none where there are several."""
+    found: dict[str, list[list[Any]]] = {}
+    for (name, *_), facts in params.items():
+        found.setdefault(name, []).extend(fact.default for fact in facts if isinstance(fact.default, list))
+    return {name: defaults[0] for name, defaults in found.items() if defaults and all(each == defaults[0] for each in defaults)}
+
+
+def _each(name: str, lists: Mapping[str, list[Any]]) -> dict[str, Any]:
+    """What of an entry says that there is one for each value of a param."""
+    param = next(iter(_EACH.findall(name)), "")
+    if not param:
+        return {}
+    return {"name": _EACH.sub("{each}", name), "each": {"param": param, **({"default": lists[param]} if param in lists else {})}}
+
+
 def _of_nodes(nodes: Sequence[Made]) -> dict[str, Any]:
-    """What is said of the nodes of a program: the name of the first one; of all of them what any is."""
+    """What is said of the nodes of a program: the name of the first one; of all of them what any is.
+
+    Who brings its second node to life, as a planner does its costmap, may well wait for somebody else to do so for itself.
+    """
     first = next((each for each in nodes if not each.key), None)
     said: dict[str, Any] = {}
     if first is not None:
         said.update({key: value for key, value in (("node", first.name), ("namespace", first.namespace)) if value})
     said.update({"lifecycle": True} if any(each.lifecycle for each in nodes) else {})
+    said.update({"managed": True} if any(each.managed for each in [each for each in nodes if each.lifecycle][:1]) else {})
     said.update({"undeclared": True} if any(each.undeclared for each in nodes) else {})
     return said
 

@@ -99,6 +99,7 @@ class Made(NamedTuple):
         name: what it calls itself where nobody gives it another name; a template where that depends on something, empty where not known.
         namespace: likewise.
         lifecycle: whether it is a lifecycle node.
+        managed: whether the program itself asks it to configure or to activate.
         undeclared: whether it takes params that it does not declare.
         condition: the source text of the conditions around the call, joined with ``and``.
         path, line: where it is made.
@@ -112,6 +113,7 @@ class Made(NamedTuple):
     condition: str = ""
     path: str = ""
     line: int = 0
+    managed: bool = False
 
 
 class Plugin(NamedTuple):

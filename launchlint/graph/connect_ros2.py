@@ -147,6 +147,7 @@ def _instance(known: _Known, name: str, host: str, parameters: NodeParameters) -
         client="" if program is None else program.client,
         literals=part.literals,
         lifecycle=node.kind == "lifecycle" or (bool(variants) and all(each.lifecycle for each in variants)),
+        managed=not variants or any(each.managed for each in variants),
         undeclared=not variants or any(each.undeclared for each in variants),
     )
 

@@ -142,6 +142,7 @@ class Instance(NamedTuple):
         client: its client library: roscpp, rospy, nodelet, none, other; empty where it is unknown.
         literals: texts in its sources that may be names, where some of its names are not known.
         lifecycle: whether it is a node of ROS 2 that somebody has to configure and activate.
+        managed: whether its program does that, or may.
         undeclared: whether it takes params that it does not declare, or may; in ROS 1 always.
     """
 
@@ -163,6 +164,7 @@ class Instance(NamedTuple):
     frames: tuple[Frame, ...] = ()
     literals: tuple[str, ...] = ()
     lifecycle: bool = False
+    managed: bool = True
     undeclared: bool = True
 
     @property

@@ -77,7 +77,9 @@ def _programs(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
         inner = place._replace(variant=variant)
         one, other = before.get(variant), after.get(variant)
         if one is not None and other is not None:
-            yield from _keys(inner, "variant", variant, one, other, {"match", "open", "node", "namespace", "lifecycle", "undeclared"})
+            yield from _keys(
+                inner, "variant", variant, one, other, {"match", "open", "node", "namespace", "lifecycle", "managed", "undeclared"}
+            )
         elif variant != "default":
             yield Change("added" if one is None else "removed", *inner, "variant", variant, None, None)
         for category in LISTS:

@@ -182,6 +182,7 @@ VARIANT_2 = Keys(
         "node": Text(syntax="node"),
         "namespace": Text(syntax="name"),
         "lifecycle": Flag(),
+        "managed": Flag(),
         "undeclared": Flag(),
         **{each: Items(INTERFACES_2[each]) for each in LISTS},
         **_VARIANT_END,

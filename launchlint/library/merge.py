@@ -131,7 +131,7 @@ def _trust(entry: Mapping[str, Any]) -> int:
 def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     if len(known) == 1:
         return dict(known[0])
-    merged = _first(known, ("match", "args", "env", "remap", "run", "node", "namespace", "lifecycle", "undeclared"))
+    merged = _first(known, ("match", "args", "env", "remap", "run", "node", "namespace", "lifecycle", "managed", "undeclared"))
     for category in LISTS:
         if any(category in each for each in known):
             merged[category] = _entries([each.get(category, ()) for each in known])

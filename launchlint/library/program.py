@@ -79,7 +79,7 @@ class Variant(NamedTuple):
 
     ``literals`` are texts in its sources that may be names; ``has_template``: some name depends on how it is started. In ROS 2 ``node``
     and ``namespace`` are those that the program gives itself (templates; empty: not known), ``lifecycle``: somebody has to activate it,
-    ``undeclared``: it takes params that it does not declare.
+    ``managed``: it does that itself, or may, ``undeclared``: it takes params that it does not declare.
     """
 
     name: str
@@ -92,6 +92,7 @@ class Variant(NamedTuple):
     node: str = ""
     namespace: str = ""
     lifecycle: bool = False
+    managed: bool = False
     undeclared: bool = False
 
 
@@ -139,6 +140,7 @@ def _variant(name: str, data: Mapping[str, Any]) -> Variant:
         data.get("node", ""),
         data.get("namespace", ""),
         data.get("lifecycle", False),
+        data.get("managed", False),
         data.get("undeclared", False),
     )
 

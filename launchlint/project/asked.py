@@ -207,8 +207,9 @@ def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session:
     notices = []
     if other:
         path, root = other[0]
-        many = f"{len(other)} files such as {path}: their roots are others than <launch>, so that they are no launch files"
-        one = f"{path}: its root is <{root}>, so that it is no launch file"
+        why = "their roots are others than <launch>" if root else "their nodes name no programs"
+        many = f"{len(other)} files such as {path}: {why}, so that they are no launch files"
+        one = f"{path}: {f'its root is <{root}>' if root else 'its nodes name no programs'}, so that it is no launch file"
         notices.append(f"left out {many if len(other) > 1 else one}; name a file to check it all the same")
     return kept, tuple(notices)
 

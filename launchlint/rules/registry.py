@@ -229,10 +229,10 @@ RULES: tuple[Entry, ...] = (
     Entry("LL515", "ros2-parameter-file", "params.ros2_parameter_file", WARNING, on=(evaluate.Ros2Parameters,)),
     Entry("LL601", "remap-matches-nothing", "remaps.remap_matches_nothing", WARNING, view="graph", dialects=BOTH),
     Entry("LL602", "remap-after-node", "remaps.remap_after_node", WARNING, view="launch"),
-    Entry("LL603", "remap-out-of-effect", "remaps.remap_out_of_effect", WARNING, view="launch"),
+    Entry("LL603", "remap-out-of-effect", "remaps.remap_out_of_effect", WARNING, view="launch", dialects=BOTH),
     Entry("LL604", "remap-duplicate", "remaps.remap_duplicate", WARNING, view="launch", dialects=BOTH),
     Entry("LL605", "remap-identity", "remaps.remap_identity", INFO, view="file", dialects=BOTH),
-    Entry("LL606", "remap-chain", "remaps.remap_chain", WARNING, view="graph"),
+    Entry("LL606", "remap-chain", "remaps.remap_chain", WARNING, view="graph", dialects=BOTH),
     Entry("LL607", "invalid-remap-name", "remaps.invalid_remap_name", ERROR, on=(evaluate.InvalidRemapName, evaluate.DoubledSlash)),
     Entry("LL611", "type-mismatch", "connections.type_mismatch", ERROR, view="graph", dialects=BOTH),
     Entry("LL612", "no-publisher", "connections.no_publisher", WARNING, view="graph", dialects=BOTH),
@@ -242,7 +242,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL616", "competing-publishers", "connections.competing_publishers", WARNING, view="graph", dialects=BOTH),
     Entry("LL617", "absolute-name-escapes-namespace", "connections.absolute_name_escapes_namespace", WARNING, view="graph", dialects=BOTH),
     Entry("LL618", "isolated-node", "connections.isolated_node", INFO, view="graph", dialects=BOTH),
-    Entry("LL619", "sim-time-mismatch", "connections.sim_time_mismatch", WARNING, view="graph"),
+    Entry("LL619", "sim-time-mismatch", "connections.sim_time_mismatch", WARNING, view="graph", dialects=BOTH),
     Entry("LL620", "lost-connection", "connections.lost_connection", WARNING, view="base", dialects=BOTH),
     Entry("LL621", "static-transform-args", "frames.static_transform_args", ERROR, view="launch"),
     Entry("LL622", "competing-transforms", "frames.competing_transforms", ERROR, view="graph"),
@@ -351,6 +351,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),
     Entry("LL948", "absolute-remap-misses", "ros2.absolute_remap_misses", WARNING, view="graph", dialects=(ROS2,)),
     Entry("LL949", "stops-with-error", "python.stops_with_error", ERROR, dialects=(ROS2,), ros2=("StopsWithError",)),
+    Entry("LL950", "lifecycle-node-left-inactive", "ros2.lifecycle_node_left_inactive", WARNING, view="graph", dialects=(ROS2,)),
 )
 
 REDIRECTS: Mapping[str, str] = {}

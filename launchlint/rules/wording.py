@@ -109,6 +109,10 @@ class Words(NamedTuple):
             return f"{attribute}: {_scalar(value)}"
         return f"{attribute}='{value}'" if self.language == "python" else f'{attribute}="{value}"'
 
+    def remap(self, source: str, target: str) -> str:
+        """The other name of a remap: ``to="x"``, or the whole pair in Python."""
+        return f"('{source}', '{target}')" if self.language == "python" else self.set_to("to", target)
+
     def declared(self, name: str) -> str:
         """The declaration of an arg."""
         return self.written("arg", {"name": name}, f"DeclareLaunchArgument('{name}')")

@@ -13,6 +13,10 @@ _START = re.compile(r"<([^\W\d][\w:.-]*)")
 # What stands before the root element: declaration, processing instructions, a document type (with or without an internal part).
 _PROLOG = re.compile(r"\ufeff?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?>)*", re.DOTALL)
 
+_NODES = late(r"<node(?:_container)?\b([^<>]{0,2000})>")
+_PROGRAM = late(r"\b(?:pkg|exec|type|plugin)\s*=")
+_OTHER_TAGS = late(r"<(?:include|composable_node|executable|test)\b")
+
 _LAUNCH_KEY = late(r"""(?m)^(?:launch|"launch"|'launch')[ \t]*:(?:[ \t\r]|$)|\A\s*\{\s*["']?launch["']?\s*:""")
 
 
@@ -50,6 +54,13 @@ def other_root(data: bytes) -> str | None:
         return None
     is_part = start[1] in _PARTS and _ROOT.search(_COMMENT.sub("", text)) is None
     return None if is_part else start[1]
+
+
+def names_no_program(data: bytes) -> bool:
+    """Whether a ``<launch>`` has several nodes and none of them says a package or program: another program reads it, launch never could."""
+    text = _COMMENT.sub("", decoded(data))
+    nodes = _NODES.findall(text)
+    return len(nodes) > 1 and not any(map(_PROGRAM.search, nodes)) and _OTHER_TAGS.search(text) is None
 
 
 def has_launch_key(data: bytes) -> bool:

@@ -36,6 +36,19 @@ _TOPICS = late(
     r"""(?:\w+\s*,\s*)?["']([\w/~]{1,100})["']"""
 )
 
+_MANAGES = late(
+    r"lifecycle\s+set|lifecycle_bringup|node_names|[cC]hange_?[sS]tate|TRANSITION_|trigger_(?:transition|configure|activate)|"
+    r"lifecycle_manager"
+)
+_IN_CODE = late(r"[cC]hange_?[sS]tate|TRANSITION_|trigger_(?:transition|configure|activate)")
+_MANAGES_ANY = late(r"lifecycle\s+(?:set|nodes)\s+(?:[$\"'{]|[/\w]*\$)")
+"""Where the node is a variable of a script."""
+_LISTED = late(
+    r"""\[((?:\s*["']?[/\w]+["']?\s*,?){1,60})\s*\]|(?m:^[ \t]*-[ \t]+["']?([/\w]+)["']?[ \t\r]*$)|(?:value|args)=["']([^"'<>]{1,600})"""
+)
+_QUOTED = late(r"""["'](?:[/\w]*/)?(\w{2,80})(?:/change_state)?["']""")
+_NODE_NAME = late(r"[A-Za-z_]\w{1,80}")
+
 
 def _packages(text: str) -> Sequence[str]:
     """The packages that a launch file names."""
@@ -63,6 +76,21 @@ def _topics(text: str) -> Sequence[str]:
     return sorted({f"{'+' if gives else '-'}{name.rstrip('/').rpartition('/')[2].lstrip('~')}" for gives, _, name in found})
 
 
+def _lifecycle(text: str) -> Sequence[str]:
+    """The names in a text that takes lifecycle nodes of ROS 2 from one state to the next, or says how people do; ``*`` where it may be any.
+
+    They stand in the same line as a command, in a list where there is a lifecycle manager, and in quotes where the states are changed.
+    """
+    if not _MANAGES.search(text):
+        return ()
+    found = {name for line in text.split("\n") if "lifecycle" in line for name in _NODE_NAME.findall(line[:_LONGEST_LINE])}
+    for listed in _LISTED.findall(text):
+        found.update(name for each in listed for name in _NODE_NAME.findall(each))
+    if _IN_CODE.search(text):
+        found.update(_QUOTED.findall(text))
+    return sorted({*found, *(("*",) if _MANAGES_ANY.search(text) else ())})
+
+
 def _distributions(text: str) -> Sequence[str]:
     """The distributions of ROS 2 that a text says it is for; what links to documents hold is none."""
     small = text.lower()
@@ -83,6 +111,7 @@ PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {
     "writing": _writing,
     "args": _args,
     "topics": _topics,
+    "lifecycle": _lifecycle,
     "distributions": _distributions,
 }
 """What of a text something may hang on, where it does not hang on all of it: a change of the rest changes nothing."""

@@ -35,7 +35,7 @@ def shown(found: Extracted) -> str:
 def of_node(node: Made) -> str:
     """A node in one line."""
     words = [f"node {node.name or '?'}", f"as {node.key}" if node.key else "", f"in {node.namespace}" if node.namespace else ""]
-    words += [each for each in ("lifecycle", "undeclared") if getattr(node, each)]
+    words += [each for each in ("lifecycle", "managed", "undeclared") if getattr(node, each)]
     return " ".join([*filter(None, words), f"@{node.line}", *([f"if {node.condition}"] if node.condition else [])])
 
 

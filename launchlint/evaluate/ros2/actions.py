@@ -35,6 +35,7 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
     described.Shutdown: setting_actions.shutdown,
     described.Timer: setting_actions.timer,
     described.Handler: programs.handler,
+    described.Transition: programs.transition,
     described.Opaque: programs.opaque,
     described.Unset: programs.unset,
     described.Maybe: programs.maybe,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections import Counter
 
 from launchlint.evaluate.assemble import Evaluation, not_loadable
 from launchlint.evaluate.ros2.actions import execute
@@ -16,7 +17,7 @@ from launchlint.evaluate.ros2.same_names import duplicates
 from launchlint.evaluate.ros2.walk import Exhausted, Walk
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
-from launchlint.model import ROS2, Followed, Launch, ListedArgument
+from launchlint.model import ROS2, Followed, Launch, ListedArgument, ScopedSetting
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.problems import UnreadableFile
 from launchlint.syntax.ros2.description import Open, Unsettled
@@ -59,7 +60,8 @@ def evaluate(
         source = Source(session.shown(file), "", file)
         problem = UnreadableFile(origin=Origin(whole_file(source)), refused=True, reason=known.reason)
         evaluation = not_loadable(source, None, given, problem)
-        return evaluation._replace(launch=evaluation.launch._replace(dialect=ROS2, distro=walk.rules.distro, named_by=session.named_by))
+        launch = evaluation.launch._replace(dialect=ROS2, distro=walk.rules.distro, named_by=session.named_by, named=session.meant.named)
+        return evaluation._replace(launch=launch)
     try:
         enter(walk, file, known, dict(given))
         walk.finish()
@@ -75,7 +77,7 @@ def evaluate(
     except Exhausted as exhausted:
         walk.record(exhausted.args[0])
         walk.exhausted = True
-    return _evaluation(walk, known, given, session.named_by)
+    return _evaluation(walk, known, given, session)
 
 
 def fresh(session: Session, file: str) -> LiveContext:
@@ -100,7 +102,16 @@ def _followed(walk: Walk) -> Iterator[Followed]:
         yield Followed(reading.source, state, tuple(dict.fromkeys((each.place, each.reason) for each in said)))
 
 
-def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], named_by: str) -> Evaluation:
+def _settings(walk: Walk) -> Iterator[ScopedSetting]:
+    """The remaps that stand outside of nodes, each with how many nodes have it."""
+    if not walk.set_remaps:
+        return
+    reached = Counter(remap.origin.place.key for node in walk.nodes for remap in node.remaps)
+    for remap, conditions in walk.set_remaps:
+        yield ScopedSetting("remap", remap.source, remap, remap.origin, reached[remap.origin.place.key], (), None, conditions)
+
+
+def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], session: Session) -> Evaluation:
     launch = Launch(
         entry=known.source,
         arguments=dict(given),
@@ -115,7 +126,7 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], 
         machines={},
         executables=(),
         includes=tuple(walk.includes),
-        settings=(),
+        settings=tuple(_settings(walk)),
         declared=tuple(each.argument for each in walk.declared),
         declarations=tuple(walk.declared),
         branches=tuple(walk.branches),
@@ -123,7 +134,8 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], 
         complete=not walk.unread and not walk.exhausted,
         dialect=ROS2,
         distro=walk.rules.distro,
-        named_by=named_by,
+        named_by=session.named_by,
+        named=session.meant.named,
         programs=tuple(walk.programs),
         listed=tuple(
             ListedArgument(shown.argument.name, shown.argument.default is None, shown.conditional, shown.argument.place)
@@ -132,6 +144,7 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], 
         late=tuple(walk.late),
         settled=not walk.unsettled,
         followed=tuple(_followed(walk)),
+        transitions=tuple(walk.transitions),
     )
     documents = {reading.source.path: reading.document for reading in walk.readings if reading.document is not None}
     compared: dict[str, dict[str, None]] = {}

@@ -117,6 +117,11 @@ def handler(walk: Walk, action: described.Handler) -> None:
     walk.defer(action.event, actions, action.target)
 
 
+def transition(walk: Walk, action: described.Transition) -> None:
+    """What may take lifecycle nodes from one state to the next (launch_ros.actions.LifecycleTransition, launch.actions.EmitEvent)."""
+    walk.transitions.append(action.place)
+
+
 def maybe(walk: Walk, action: described.Maybe) -> None:
     """What may be there: what it starts may be started, and what it sets is not known behind it."""
     outer = walk.here

@@ -152,6 +152,7 @@ def set_remap(walk: Walk, action: described.SetRemap) -> None:
     if walk.context.remaps is None:
         walk.context.remaps = []
     walk.context.remaps.append(remap)
+    walk.set_remaps.append((remap, walk.here.conditions))
 
 
 def remapping(walk: Walk, remap: described.Remap) -> Remap:

@@ -20,7 +20,7 @@ from launchlint.evaluate.ros2.problems import NodePackageMissing
 from launchlint.evaluate.ros2.substitutions import PERFORM
 from launchlint.evaluate.session import Read
 from launchlint.evaluate.steering import steering
-from launchlint.model import Branch, Condition, Declaration, Executable, Include, Node, Scope, Unknown, shown_text
+from launchlint.model import Branch, Condition, Declaration, Executable, Include, Node, Remap, Scope, Unknown, shown_text
 from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Place
 from launchlint.syntax.ros2 import description as described
@@ -75,6 +75,7 @@ _TAGS: dict[type, str] = {
     described.Shutdown: "shutdown",
     described.Timer: "timer",
     described.Handler: "RegisterEventHandler",
+    described.Transition: "LifecycleTransition",
     described.Opaque: "OpaqueFunction",
     described.Unset: "UnsetLaunchConfiguration",
     described.Maybe: "maybe",
@@ -204,6 +205,8 @@ class Walk:
         self.executions: list[tuple[tuple[int, ...], described.Description]] = []
         self.launch = object()
         self.unread: list[str] = []
+        self.transitions: list[Place] = []
+        self.set_remaps: list[tuple[Remap, tuple[Condition, ...]]] = []
         self.unsettled: list[str] = []
         self.unresolved: list[Unresolved] = []
         self.exhausted = False
@@ -252,7 +255,8 @@ class Walk:
         """All that is collected in the order in which it comes, but problems: see ``said``."""
         return (
             self.nodes, self.programs, self.includes, self.declared, self.branches, self.files, self.readings, self.executions, self.unread,
-            self.unsettled, self.receivers, self.entered, self.performer.compared, self.performer.containers, self.performer.foreign,
+            self.transitions, self.set_remaps, self.unsettled, self.receivers, self.entered, self.performer.compared,
+            self.performer.containers, self.performer.foreign,
         )  # fmt: skip
 
     def record(self, problem: Problem, key: tuple[object, ...] | None = None) -> None:

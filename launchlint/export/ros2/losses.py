@@ -67,6 +67,7 @@ def no_tag(action: Action) -> str:
 _WORDS = {
     "Handler": "an event handler",
     "Opaque": "a function",
+    "Transition": "a transition of lifecycle nodes",
     "Maybe": "what may be there",
     "Open": "what else may be there",
     "Fails": "the rest",

@@ -274,7 +274,9 @@ def _subscript(machine: Machine, node: Node, frame: Frame) -> Value:
                 return pair.items[1]
         if isinstance(index, Unknown) and value.items and all(isinstance(each, (Thing, Handle)) for each in value.items):
             return either([("", each) for each in value.items])
-    return UNKNOWN
+    inner = node.field("indices") or node.field("index")
+    counted = inner is not None and any(each.kind == "identifier" for each in (inner, *inner.children))
+    return machine.tables.each(value) if counted else UNKNOWN
 
 
 def _conditional(machine: Machine, node: Node, frame: Frame) -> Value:

@@ -45,7 +45,7 @@ _NUMBERS = frozenset(("int", "double", "float", "bool", "size_t", "std::size_t",
 CHANGING = frozenset(("push_back", "emplace_back", "insert", "append", "resize", "clear", "assign", "emplace", "push_front", "str"))
 """Members that change a container or a text."""
 _BRACES = re.compile(r"\{\{(\d{0,3})(:[^{}]*)?\}\}")
-_OF_PARAMETERS = frozenset("as_string as_int as_double as_bool get_value get get_parameter_value".split())
+_OF_PARAMETERS = frozenset("as_string as_int as_double as_bool as_string_array as_integer_array get_value get get_parameter_value".split())
 """Members of rclcpp::Parameter that give its value."""
 _MOST_ITEMS = 200
 NPOS = 2**64 - 1

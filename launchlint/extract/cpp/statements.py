@@ -267,8 +267,10 @@ def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
                 break
         return ""
 
+    item = machine.tables.each(right)
+
     def turn() -> str:
-        frame.variables[name] = machine.cell(UNKNOWN, type_)
+        frame.variables[name] = machine.cell(item, type_)
         return machine.execute(body, frame)
 
     machine.once_or_more(turn, f"{name} is one of {condition_text(node.field('right'))}")

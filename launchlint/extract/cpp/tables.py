@@ -37,6 +37,7 @@ class Tables(NamedTuple):
         is_handle: whether a variable of a type is a node handle, or a node.
         running: conditions that hold as long as the program runs.
         follow: follows what others call of an object that is a node, when the program has come to its end.
+        each: each value of what may be a param that holds a list; UNKNOWN where it is none.
     """
 
     makers: Mapping[str, Callable[[Call], Value]]
@@ -58,6 +59,7 @@ class Tables(NamedTuple):
     is_handle: Callable[[Type], bool]
     running: frozenset[str]
     follow: Callable[[Machine, Thing], None]
+    each: Callable[[Value], Value]
 
     def known(self, name: str) -> bool:
         """Whether objects of a class are known to make names, or not to."""

@@ -62,7 +62,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
                 node_origin(instance),
                 f"{instance.name} is connected to no other node",
                 label="nobody else uses its names",
-                notes=(f"it has {some}",),
+                notes=(f"it has {some}",) if some else (),
                 help="check its namespace and remaps, unless its partners are started elsewhere",
             )
 

@@ -22,12 +22,21 @@ def comes_from_around(view: GraphView, taker: Endpoint, giver: Endpoint) -> bool
     So it is where the file has args without a default, so that nobody starts it as it is; and where another launch file of its package
     names it, and ``giver`` would have that very name in the namespace which that one may put the whole file into.
     """
-    launch = view.launch
-    if launch.dialect != ROS2 or not _is_global(taker):
+    if view.launch.dialect != ROS2 or not _is_global(taker):
         return False
-    if any(each.required and not each.conditional and each.place.source.file == launch.entry.file for each in launch.listed):
+    if _wants_args(view):
         return True
     return taker.name.endswith(giver.name) and not _is_global(giver) and _is_included(view)
+
+
+def is_part(view: GraphView) -> bool:
+    """Whether the entry file has args without a default, or another launch file of its package names it."""
+    return _wants_args(view) or _is_included(view)
+
+
+def _wants_args(view: GraphView) -> bool:
+    launch = view.launch
+    return any(each.required and not each.conditional and each.place.source.file == launch.entry.file for each in launch.listed)
 
 
 def _is_global(end: Endpoint) -> bool:

@@ -122,8 +122,8 @@ def missing(problem: IncludeMissingArg, rule: Rule, view: LaunchView) -> Iterato
     )
 
 
-_HOMES = ("/home/", "/Users/", "/root/")
-"""Where files of one person lie: LL406 tells such paths, and that person has the file."""
+_HOMES = ("/home/", "/Users/", "/root/", "/opt/ros/")
+"""Where files lie of one person, and of an installed ROS: LL406 tells such paths, and that machine has the file."""
 
 
 def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: LaunchView) -> Iterator[Finding]:

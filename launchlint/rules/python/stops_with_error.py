@@ -3,7 +3,8 @@
 `launchlint` follows the program without running it, and tells this only where every way through it ends so. A program that refuses some
 values of its arguments does so on purpose: it is told only of what happens without arguments. It is an info where a function asked for a
 launch configuration before that is empty, or that nobody sets here: such a file wants an arg, or is made to be included. So it is where the
-program itself raises the exception after it has looked for a package that is not here: that may be installed where it is started.
+program itself raises the exception after it has looked for a package that is not here, or asked for an environment variable that is not
+set: these may be there where it is started.
 
 ## Why it matters
 
@@ -67,6 +68,9 @@ def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
     if problem.package:
         severity = Severity.INFO
         notes = (f"it looks for the package {problem.package} before that, which is not here",)
+    elif problem.variable and not problem.lacking:
+        severity = Severity.INFO
+        notes = (f"it asks for the environment variable {problem.variable} before that, which is not set here",)
     elif problem.lacking:
         severity = Severity.INFO
         notes = (f"so it is where nobody gives {problem.lacking} a value, on the command line or in a file that includes this one",)

@@ -6,6 +6,8 @@ wanted is left alone: a name on which the node has a partner, and two such remap
 `scan_filtered`. It is an info where a node that is not known may be the partner, and of a node that no library knows. Topics of Python
 nodes are an exception: rospy looks them up twice, so there two remaps do chain, and nothing is said.
 
+In ROS 2 the scope has a `<set_remap>` (`SetRemap`), and no node is an exception: rcl takes the first remap that fits a name, and no other.
+
 ## Why it matters
 
 The remap of the scope seems to hold for all nodes, but this one goes on talking on the name in the middle, mostly
@@ -40,10 +42,11 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import OFFERS, ConnectionGraph, Instance
-from launchlint.model import Node, Remap
+from launchlint.model import ROS2, Node, Remap
 from launchlint.rules.judging.resolved_remaps import has_known_name, resolve
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL606", "remap-chain", Severity.WARNING)
 
@@ -55,7 +58,8 @@ def check(view: GraphView) -> Iterator[Finding]:
         node = instance.node
         if len(node.remaps) < 2 or not has_known_name(node) or not instance.certain or instance.kind == "manager":
             continue
-        by_source = {resolve(node, remap.source): remap for remap in node.remaps}
+        ros2 = view.dialect.name == ROS2
+        by_source = {resolve(node, each.source): each for each in (reversed(node.remaps) if ros2 else node.remaps) if each.source}
         for source, remap in by_source.items():
             middle = resolve(node, remap.target)
             further = by_source.get(middle)
@@ -67,7 +71,8 @@ def check(view: GraphView) -> Iterator[Finding]:
                 continue
             meets = _meets(graph, instance, middle)
             if meets is not True:
-                yield _finding(node, remap, further, sure=middle in ends and meets is False)
+                meant = words_at(remap.origin).remap(remap.source, further.target) if ros2 else f'to="{further.target}"'
+                yield _finding(node, remap, further, meant, sure=middle in ends and meets is False)
 
 
 def _meets(graph: ConnectionGraph, instance: Instance, name: str) -> bool | None:
@@ -99,12 +104,12 @@ def _is_own(node: Node, remap: Remap) -> bool:
     return at.source is home.source and at.span.start > home.span.start and remap.origin.chain == node.origin.chain
 
 
-def _finding(node: Node, remap: Remap, further: Remap, *, sure: bool) -> Finding:
+def _finding(node: Node, remap: Remap, further: Remap, meant: str, *, sure: bool) -> Finding:
     return RULE.at(
         remap.origin,
         f"{remap.source} of {node.full_name} becomes {remap.target} and not {further.target}: remaps do not chain",
         severity=None if sure else Severity.INFO,
         label=f"ends at {remap.target}",
         related=((further.origin.place, "does not act on it"),),
-        help=f'write to="{further.target}", unless {remap.target} is what this node is to use',
+        help=f"write {meant}, unless {remap.target} is what this node is to use",
     )

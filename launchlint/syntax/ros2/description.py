@@ -401,6 +401,13 @@ class Handler(NamedTuple):
     target: Place | None = None
 
 
+class Transition(NamedTuple):
+    """What may take lifecycle nodes from one state to the next (Python only): ``LifecycleTransition``, an event that asks for that."""
+
+    place: Place
+    condition: Condition | None = None
+
+
 class Opaque(NamedTuple):
     """``OpaqueFunction`` (Python only): a function that is called when it is executed, with the context of that moment."""
 
@@ -453,7 +460,7 @@ class Fails(NamedTuple):
 Action: TypeAlias = (
     "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
     " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
-    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Opaque | Unset | Maybe | Open | Unsettled | Fails"
+    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Transition | Opaque | Unset | Maybe | Open | Unsettled | Fails"
 )
 
 

@@ -400,6 +400,37 @@ int main() {{
     assert [each.name for each in nodes] == ["a_client", "b_client"]
 
 
+EACH = f"""{HEAD}
+class Fleet : public rclcpp::Node {{
+ public:
+  Fleet() : Node("fleet") {{
+    auto topics = declare_parameter<std::vector<std::string>>("topics", {{"left", "right"}});
+    for (const auto & topic : topics) {{ create_publisher<std_msgs::msg::String>(topic, 1); }}
+    declare_parameter("robots", std::vector<std::string>{{}});
+    std::vector<std::string> robots;
+    get_parameter("robots", robots);
+    for (const std::string & robot : robots) {{
+      declare_parameter(robot + ".speed", 1.0);
+      for (const auto & topic : topics) {{ create_publisher<std_msgs::msg::String>(robot + "/" + topic, 1); }}
+    }}
+    auto more = get_parameter("robots").as_string_array();
+    for (size_t i = 0; i < more.size(); ++i) {{ create_client<std_srvs::srv::Trigger>(more[i] + "/go"); }}
+    create_publisher<std_msgs::msg::String>(more[0] + "/first", 1);
+  }}
+}};
+int main() {{ rclcpp::spin(std::make_shared<Fleet>()); }}
+"""
+
+
+def test_there_is_one_name_for_each_value_of_a_param(tmp_path: Path) -> None:
+    facts, doubts, nodes = follow(tmp_path, EACH)
+    variant, _ = variant_of(facts, doubts, "", ROS2, nodes)
+    two, some = {"param": "~topics", "default": ["left", "right"]}, {"param": "~robots", "default": []}
+    assert {each["name"]: each.get("each") for each in variant["publishers"]} == {"{each}": two, "{any}/first": None, "{any}/{any}": None}
+    assert {each["name"]: each.get("each") for each in variant["clients"]} == {"{each}/go": some}
+    assert {each["name"]: each.get("each") for each in variant["params"]} == {"~robots": None, "~topics": None, "~{each}.speed": some}
+
+
 LIFECYCLE = f"""{HEAD}#include "rclcpp_lifecycle/lifecycle_node.hpp"
 namespace demo {{
 class Life : public rclcpp_lifecycle::LifecycleNode {{
@@ -433,6 +464,23 @@ def test_a_lifecycle_node_and_component(tmp_path: Path) -> None:
     variant, _ = variant_of(facts, doubts, "", ROS2, nodes)
     assert (variant["node"], variant["lifecycle"]) == ("life", True)
     assert variant["publishers"][0]["exists"] == "configured"
+
+
+@pytest.mark.parametrize("call", ["configure();", "this->activate();", "trigger_transition(1);"])
+def test_a_lifecycle_node_that_its_own_program_manages(call: str, tmp_path: Path) -> None:
+    source = LIFECYCLE.replace('declare_parameter("rate", 1.0);', call)
+    facts, doubts, nodes = follow(tmp_path, source, "demo::Life")
+    assert [(each.name, each.lifecycle, each.managed) for each in nodes] == [("life", True, True)]
+    assert variant_of(facts, doubts, "", ROS2, nodes)[0]["managed"] is True
+
+
+def test_who_manages_another_node_waits_for_somebody_itself(tmp_path: Path) -> None:
+    inner = 'class Inner : public rclcpp_lifecycle::LifecycleNode { public: Inner() : LifecycleNode("inner") {} };\nclass Life'
+    made = "auto inner = std::make_shared<Inner>(); inner->configure();"
+    source = LIFECYCLE.replace("class Life", inner, 1).replace('declare_parameter("rate", 1.0);', made)
+    facts, doubts, nodes = follow(tmp_path, source, "demo::Life")
+    assert [(each.name, each.managed) for each in nodes] == [("life", False), ("inner", True)]
+    assert "managed" not in variant_of(facts, doubts, "", ROS2, nodes)[0]
 
 
 def test_a_component_whose_class_is_not_here(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ _SILENT = """
     get_logger get_clock now create_callback_group count_publishers count_subscribers count_clients count_services
     get_topic_names_and_types get_node_names get_service_names_and_types wait_for_graph_change get_graph_event
     get_publishers_info_by_topic get_subscriptions_info_by_topic get_node_options for_each_callback_group get_current_state
-    get_available_states get_available_transitions get_transition_graph trigger_transition configure activate deactivate cleanup shutdown
+    get_available_states get_available_transitions get_transition_graph deactivate cleanup shutdown
     register_on_configure register_on_activate register_on_deactivate register_on_cleanup register_on_shutdown register_on_error
     add_managed_entity get_service_names_and_types_by_node get_node_topics_and_types reset use_count expired get_notify_guard_condition
     get_rcl_node_handle get_shared_rcl_node_handle get_context get_default_callback_group

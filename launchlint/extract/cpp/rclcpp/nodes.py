@@ -243,7 +243,16 @@ def _resolved(handle: Handle, asked: Call) -> Value:
     return handles.resolved(names.named(handle, asked.value(0)))
 
 
+def _managed(handle: Handle, asked: Call) -> Value:
+    """``node->configure()``, ``node->activate()``, ``node->trigger_transition(…)``: the program does it, nobody else has to."""
+    known = asked.machine.nodes.get(handle.node or "")
+    if known is not None:
+        asked.machine.nodes[known.key] = known._replace(managed=True)
+    return UNKNOWN
+
+
 OF_HANDLE: dict[str, Does[[Handle, Call], Value]] = {
+    **dict.fromkeys(("configure", "activate", "trigger_transition"), _managed),
     "get_name": _node_name,
     "get_fully_qualified_name": _full_name,
     "get_namespace": _node_namespace,

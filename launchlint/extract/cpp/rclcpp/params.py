@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable as Does
 
 from launchlint.extract.cpp.naming import finished
@@ -23,6 +24,7 @@ _RANGES = ("rcl_interfaces::msg::FloatingPointRange", "rcl_interfaces::msg::Inte
 _KINDS = ("bool", "integer", "double", "string", "byte_array", "bool_array", "integer_array", "double_array", "string_array")
 _OF_ITEMS = {"bool": "bool_array", "integer": "integer_array", "double": "double_array", "string": "string_array"}
 _BYTES = frozenset(("uint8_t", "std::uint8_t", "char", "std::byte", "byte"))
+_SLOT = re.compile(r"\{param:(~[^\s{}|]+)(?:\|[^{}]*)?\}")
 _MOST_LISTED = 200
 
 
@@ -139,6 +141,12 @@ def value_of(name: Value, default: Value) -> Value:
         for inner, value in choices(default):
             found.append((condition or inner, params.slot(each, value)))
     return either(found)
+
+
+def each_of(value: Value) -> Value:
+    """Each value of a param that holds a list: there is one name for each of them."""
+    found = _SLOT.fullmatch(value.template) if isinstance(value, Text) and value.param else None
+    return UNKNOWN if found is None else Text(f"{{each:{found[1]}}}")
 
 
 def declare_all(handle: Handle, asked: Call) -> Value:

@@ -63,4 +63,5 @@ RCLCPP = Tables(
     is_handle=_is_handle,
     running=frozenset(("rclcpp::ok()",)),
     follow=lifecycle.follow,
+    each=params.each_of,
 )

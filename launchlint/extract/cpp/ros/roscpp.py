@@ -9,7 +9,7 @@ from launchlint.extract.cpp.ros.library import HARMLESS, MAKERS, METHODS
 from launchlint.extract.cpp.ros.models import BASES, MODELS
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.tables import Tables, last_words
-from launchlint.extract.cpp.values import Handle, Text, Thing, Value
+from launchlint.extract.cpp.values import UNKNOWN, Handle, Text, Thing, Value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -94,4 +94,5 @@ ROSCPP = Tables(
     is_handle=_is_handle,
     running=frozenset(("ros::ok()", "nh.ok()", "nh_.ok()", "n.ok()", "node.ok()", "ros::isInitialized()")),
     follow=lambda machine, thing: None,
+    each=lambda value: UNKNOWN,
 )

@@ -78,6 +78,13 @@ def _resolve(key: str, node: Node | None, made: Call) -> Value:
     return distribute(_resolved, made.positional[0] if made.positional else UNKNOWN)
 
 
+def _managed(key: str, node: Node | None, made: Call) -> Value:
+    """``node.trigger_configure()``, ``node.trigger_activate()``: the program does it, nobody else has to."""
+    if node is not None:
+        node.made = node.made._replace(managed=True)
+    return UNKNOWN
+
+
 def _nothing(key: str, node: Node | None, made: Call) -> Value:
     return None
 
@@ -135,6 +142,8 @@ METHODS: Mapping[str, NodeMethod] = {
     "get_clock": _quiet,
     "create_rate": _quiet,
     "destroy_node": _nothing,
+    "trigger_configure": _managed,
+    "trigger_activate": _managed,
 }
 
 ATTRIBUTES = frozenset(

@@ -6,7 +6,7 @@ import re
 
 from launchlint.extract.python.outside import NAMESPACE, NODE, MessageClass, Param
 from launchlint.python.text import ANY, ANYS, template
-from launchlint.python.values import LONGEST_TEXT, UNKNOWN, External, Handle, Seq, Value
+from launchlint.python.values import LONGEST_TEXT, UNKNOWN, External, Handle, Seq, Text, Unknown, Value
 
 _NAME = re.compile(r"~|(?:~/|/)?[A-Za-z_]\w*(?:/[A-Za-z_]\w*)*", re.ASCII)
 """rcl_validate_topic_name: no part begins with a digit, none is empty; ``~`` stands for the node, and only at the beginning."""
@@ -79,5 +79,16 @@ class NodeParam(Param):
     pattern = re.compile(r"~[^\s/{}~|][^\s{}~|]*")
 
     def item(self, index: Value) -> Value:
-        """One value of a list."""
-        return UNKNOWN
+        """One value of a list: any of them where it is not known which."""
+        return self.each() if isinstance(index, Unknown) else UNKNOWN
+
+    def each(self) -> Value:
+        """Each value of a list: there is one name for each of them."""
+        return Text(f"{{each:{self.name}}}") if self.pattern.fullmatch(self.name) else UNKNOWN
+
+
+def is_of_each(value: Value) -> bool:
+    """Whether a value is made of each value of a param."""
+    if isinstance(value, Seq):
+        return any(map(is_of_each, value.items))
+    return isinstance(value, Text) and "{each:" in value.template

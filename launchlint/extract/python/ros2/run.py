@@ -9,9 +9,10 @@ from launchlint.extract.fact import Fact, Made
 from launchlint.extract.python.modules import PackageModules
 from launchlint.extract.python.program import Run
 from launchlint.extract.python.ros2 import api, nodes
+from launchlint.extract.python.ros2.names import NodeParam, is_of_each
 from launchlint.extract.python.ros2.recognised import RCLPY
 from launchlint.extract.python.ros2.recogniser import Ros2Recogniser
-from launchlint.python.values import Bound, Class, External, Instance, Scope, Unknown, Value, alternatives
+from launchlint.python.values import Bound, Class, External, Instance, Scope, Seq, Unknown, Value, alternatives
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -59,6 +60,14 @@ class Ros2Run(Run):
         if len(self.nodes.made) > 1:
             return [each for each in self.facts if each.node != nodes.ELSEWHERE]
         return [each._replace(node="") if each.node == nodes.ELSEWHERE else each for each in self.facts]
+
+    def rounds(self, value: Value) -> tuple[list[Value], bool]:
+        """What a loop takes. Of a param that is a list, and of what is made of each of its values, it takes that, once and for all."""
+        if isinstance(value, NodeParam):
+            return [value.each()], False
+        if isinstance(value, Seq) and not value.complete and len(value.items) == 1 and is_of_each(value.items[0]):
+            return value.items, False
+        return super().rounds(value)
 
     # -- what is called -------------------------------------------------------------------------------------------------
 

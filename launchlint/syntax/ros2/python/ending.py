@@ -34,7 +34,7 @@ def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool
         return ()
     problem: Problem = StopsWithError(
         origin=Origin(place), refused=True, related=related, error=error, what=what, stated=raised.stated, called=called, lacking=lacking,
-        package=run.missing_package if raised.stated else "",
+        package=run.missing_package if raised.stated else "", variable=run.missing_variable if raised.stated else "",
     )  # fmt: skip
     return (described.Fails(problem, place),)
 

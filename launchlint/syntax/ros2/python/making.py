@@ -92,11 +92,12 @@ class Maker:
         return tuple(found)
 
     def _emitted(self, value: Handle) -> Iterator[Action]:
-        """What an event does that is the same as an action."""
-        event = value.state.get("event")
+        """What an event does that is the same as an action; any other may be one that nodes change their state upon."""
+        place, event = value.state["place"], value.state.get("event")
         if isinstance(event, Handle) and event.kind == EVENT and event.state.get("name") == _SHUTDOWN:
-            place = value.state["place"]
             yield described.Shutdown(self.texts.text("", place), place, condition(value.state, self.texts))
+        elif value.kind in _TRANSITIONS:
+            yield described.Transition(place, condition(value.state, self.texts))
 
     def action(self, value: Handle) -> Action:
         """One action."""
@@ -226,7 +227,8 @@ def _container(maker: Maker, given: Given, place: Place) -> Action:
 
 
 def _lifecycle(maker: Maker, given: Given, place: Place) -> Action:
-    return _any_node(maker, given, place, "lifecycle", None)
+    made = _any_node(maker, given, place, "lifecycle", None)
+    return made if given.get("autostart") in (None, False) else _with_more(made, (described.Transition(place),), place)
 
 
 def _any_node(maker: Maker, given: Given, place: Place, kind: Any, components: Value) -> Action:
@@ -378,6 +380,8 @@ HANDLERS: Mapping[str, tuple[str, ...]] = {
 _PROCESSES = frozenset(("ExecuteProcess", "Node", "LifecycleNode", "ComposableNodeContainer"))
 NOTHING = frozenset(("EmitEvent", "LifecycleTransition", "OpaqueCoroutine", "ReadyToTest", "UnregisterEventHandler"))
 """Actions that start no node and set nothing."""
+_TRANSITIONS = frozenset(("EmitEvent", "LifecycleTransition", "OpaqueCoroutine"))
+"""Those of them that may take lifecycle nodes from one state to the next."""
 
 
 def _of(kind: Any, *roles: str) -> Callable[[Maker, Given, Place], Action]:

@@ -31,6 +31,7 @@ class Noticing(Interpreter):
         super().__init__(recogniser, root, package, finder, beside)
         self.problems: list[Problem] = []
         self.missing_package = ""  # the first that the program asked for and that is not here
+        self.missing_variable = ""  # likewise of the environment, one that is not set
         self._told: set[tuple[type, tuple[str, int], str]] = set()
         self._caught = 0
         self._catching: set[int] = set()

@@ -147,7 +147,8 @@ class StopsWithError(Problem):
 
     ``called``: it comes when launch calls a function of the file, not when the file is loaded. ``lacking``: a launch configuration that
     the function asked for before, and that nothing here sets, or to nothing but an empty text: somebody has to give it a value.
-    ``package``: one that the program looked for before it raised this itself, and that is not here.
+    ``package``: one that the program looked for before it raised this itself, and that is not here; ``variable``: likewise a variable of
+    the environment that is not set.
     """
 
     error: str
@@ -156,13 +157,16 @@ class StopsWithError(Problem):
     called: bool
     lacking: str = ""
     package: str = ""
+    variable: str = ""
 
     @property
     def lacks(self) -> tuple[str, str] | None:
-        """That package or arg."""
+        """That package, arg or variable."""
         if self.package:
             return "the package", self.package
-        return ("the arg", self.lacking) if self.lacking else None
+        if self.lacking:
+            return "the arg", self.lacking
+        return ("the environment variable", self.variable) if self.variable else None
 
 
 class ExecutedTwice(Problem):

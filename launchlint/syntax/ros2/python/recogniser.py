@@ -114,12 +114,17 @@ class LaunchRecogniser:
         self._run = run
         self._outside = outside
         self._place = place
-        self.environment = Map(Variables(outside.environment, outside.looked_at))
+        self.environment = Map(Variables(outside.environment, self._looked_at))
         self.shares: dict[str, str] = {}
         self.texts = Texts(self.shares)
         self.running = Running(run, self.texts, outside.fresh)
         self.paths = Paths(run, outside.inside, self.environment, outside.installed, outside.may_be_built)
         self.files = Files(run, self.paths, lambda text: load(text, _YAML), self.texts.stand_in)
+
+    def _looked_at(self, variable: str) -> None:
+        self._outside.looked_at(variable)
+        if variable not in self._outside.environment:
+            self._run.missing_variable = self._run.missing_variable or variable
 
     def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """An object of launch, a directory, a path, or something that is not known."""
@@ -387,6 +392,11 @@ class Variables(dict[Any, Any]):
         if isinstance(name, str):
             self._looked_at(name)
         return super().__contains__(name)
+
+    def get(self, name: Any, default: Any = None) -> Any:
+        """As of any dict."""
+        asked = name in self  # the one way to ask that is noted
+        return self[name] if asked else default
 
 
 def snapshot(value: Value, depth: int = 0, *, ordered: bool = True) -> Value:

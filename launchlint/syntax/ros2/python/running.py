@@ -141,6 +141,8 @@ class Running:
         found = live.configuration(key) if receiver.kind == CONFIGURATIONS else live.variable(key)
         if found == "" and receiver.kind == CONFIGURATIONS:
             self._lacks(key)
+        if found is None and receiver.kind == VARIABLES:
+            self._run.missing_variable = self._run.missing_variable or key
         return MISSING if found is None else self.value(found, place)
 
     def set_item(self, receiver: Handle, key: Value, value: Value) -> None:

@@ -1,0 +1,105 @@
+"""Who takes the lifecycle nodes of a launch of ROS 2 from one state to the next."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Mapping
+
+from launchlint.graph.connections import Instance
+from launchlint.model import Executable, Launch, UnknownText
+from launchlint.workspace.looking import note, walk, watched
+from launchlint.workspace.texts import parts
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.rules.view import GraphView
+    from launchlint.workspace.packages import Packages
+
+MANAGER = "nav2_lifecycle_manager"
+NAMES = "node_names"
+"""The param of a manager that lists its nodes."""
+CHANGE_STATE = "lifecycle_msgs/srv/ChangeState"
+_ANY = "*"
+_ENDS = (".py", ".sh", ".bash", ".md", ".rst", ".txt", ".cpp", ".cc", ".cxx", ".h", ".hpp", ".xml", ".launch", ".yaml", ".yml")
+_MOST_DIRECTORIES = 2_000
+_MOST_FILES = 4_000
+_SIMULATORS = frozenset(("gz", "ign", "gazebo", "gzserver", "gzclient", "rviz2", "xacro"))
+_SILENT_VERBS = frozenset(("bag", "topic", "param", "control"))
+"""What ``ros2`` is told to do that changes no node's state."""
+
+
+def managed_names(manager: Instance) -> list[str] | None:
+    """The names that a lifecycle manager is given, as written; None where they are not known (nav2_lifecycle_manager::LifecycleManager)."""
+    if manager.node.own is None:
+        return None
+    _, value = manager.node.own.get(NAMES, ("", ()))
+    return [each for each in value if each] if isinstance(value, tuple) and all(isinstance(each, str) for each in value) else None
+
+
+def full_name(name: str, manager: Instance) -> str:
+    """The full name of the node that a manager calls ``name``: it is relative to the namespace of the manager."""
+    return name if name.startswith("/") else f"{manager.namer.namespace.rstrip('/')}/{name}"
+
+
+def may_be_taken(instance: Instance, view: GraphView) -> bool:
+    """Whether something may configure or activate the lifecycle node ``instance``: its program, launch, a manager, another node, people.
+
+    What is not known counts as something that may.
+    """
+    launch, graph = view.launch, view.graph
+    if instance.managed or launch.transitions or not launch.complete or not all(map(_is_idle, launch.programs)):
+        return True
+    for each in graph.instances:
+        if each.node.package == MANAGER:
+            listed = managed_names(each)
+            if listed is None or instance.name in {full_name(name, each) for name in listed}:
+                return True
+        elif each.is_unknown or any(end.role == "client" and end.type == CHANGE_STATE and not end.certain for end in each.endpoints):
+            return True
+    service = f"{instance.name}/change_state"
+    channel = graph.channels.get(("service", service))
+    managers = {each.name for each in graph.instances if each.node.package == MANAGER}
+    if channel is not None and channel.uses:
+        return True
+    if any(each.node not in managers and each.node != instance.name for each in graph.may_use("service", service, CHANGE_STATE)):
+        return True
+    return _is_told(instance.name.rpartition("/")[2], launch, view.packages)
+
+
+def _is_idle(program: Executable) -> bool:
+    """Whether a program that is no node changes no node's state for certain."""
+    words = program.command
+    if not words or any(isinstance(word, UnknownText) for word in words):
+        return False
+    line = " ".join(words).split()
+    first = posixpath.basename(line[0]) if line else ""
+    return first in _SIMULATORS or (first == "ros2" and len(line) > 1 and line[1] in _SILENT_VERBS)
+
+
+def _is_told(name: str, launch: Launch, packages: Packages) -> bool:
+    """Whether a file of the workspaces that is none of this launch takes nodes to other states, and names this one: a script, a README."""
+    said, looked = packages.once(_kept)[0]
+    note(looked)
+    own = set(launch.files)
+    return any(file not in own for each in (name, _ANY) for file in said.get(each, ()))
+
+
+def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], frozenset[str]]]:
+    """The files that take nodes to other states, by the names that they hold, and what that hangs on."""
+    return [watched(lambda: _read(packages))]
+
+
+def _read(packages: Packages) -> Mapping[str, tuple[str, ...]]:
+    looked: set[str] = set()
+    found: dict[str, tuple[str, ...]] = {}
+    for file, names in parts(_texts(packages), _MOST_FILES, looked, "lifecycle"):
+        for name in names:
+            found[name] = (*found.get(name, ()), file)
+    note(looked)
+    return found
+
+
+def _texts(packages: Packages) -> Iterator[tuple[str, list[str]]]:
+    for workspace in packages.workspaces:
+        for parent, names in walk(workspace, _MOST_DIRECTORIES):
+            yield parent, [name for name in sorted(names) if name.endswith(_ENDS)]
