@@ -42,7 +42,7 @@ class Earlier:
         self._processes: dict[tuple[str, Place], tuple[Node, Any]] = {}
         self._made: dict[tuple[str, Place, int], _Made] = {}
         self._facts: dict[tuple[int, object], tuple[Instance, Any]] = {}
-        self._with_params: dict[tuple[int, object], tuple[Instance, Mapping[str, Any], Any]] = {}
+        self._with_params: dict[tuple[int, object], tuple[Instance, Mapping[str, Any], bool, Any]] = {}
 
     def process(self, node: Node, make: Callable[[Node], Process]) -> Process:
         """What ``make`` gives for ``node``, which must depend on nothing else; that of an equal node if there was one."""
@@ -87,13 +87,24 @@ class Earlier:
         fact: Fact = self._facts[key][1]
         return fact
 
-    def with_params(self, instance: Instance, params: Mapping[str, Any], work: Callable[[Instance, Mapping[str, Any]], Fact]) -> Fact:
-        """What ``work`` makes of an instance and values of params, and of nothing else; once for each instance with the same values."""
+    def with_params(
+        self,
+        instance: Instance,
+        params: Callable[[], Mapping[str, Any]],
+        work: Callable[[Instance, Mapping[str, Any]], Fact],
+        *,
+        own: bool,
+    ) -> Fact:
+        """What ``work`` makes of an instance and values of ``params``, and of nothing else; once for each instance with the same values.
+
+        ``own``: they are those of the node itself, which are always the same.
+        """
         key = (id(instance), work)
         known = self._with_params.get(key)
-        if known is None or not _is_same(known[1], params):
-            known = self._with_params[key] = (instance, params, work(instance, params))
-        fact: Fact = known[2]
+        values = known[1] if known is not None and own and known[2] else params()
+        if known is None or (values is not known[1] and not _is_same(known[1], values)):
+            known = self._with_params[key] = (instance, values, own, work(instance, values))
+        fact: Fact = known[3]
         return fact
 
 

@@ -65,6 +65,10 @@ class Parameters:
         """The full names of what is set below ``name``, in the order of setting."""
         return self._names_below(name)
 
+    def is_of(self, name: str, node: Node) -> bool:
+        """Whether what is below ``name`` is what ``node`` has for itself, so that it hangs on nothing else; never so of a server."""
+        return False
+
     def _tree(self, name: str, below: Sequence[str]) -> dict[str, Any]:
         tree: dict[str, Any] = {}
         for full in below:
@@ -140,6 +144,10 @@ class NodeParameters(Parameters):
         """The full names of the params of a node."""
         node = self._own.get(name)
         return [] if node is None else [f"{name}:{inner}" for inner in node.own or ()]
+
+    def is_of(self, name: str, node: Node) -> bool:
+        """Whether ``node`` is the one that is called ``name``."""
+        return self._own.get(name) is node
 
     def is_set(self, name: str) -> bool:
         """Whether the param is certainly set."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import islice
 from typing import NamedTuple
 
@@ -214,14 +214,18 @@ class _Said:
         else:
             return None
         if id(instance) not in self._found:
-            below = islice(self._parameters.below(instance.name), _MOST_VALUES)
-            values = {name: self._parameters.value(name) for name in below if _NO_TOPIC not in name}
-            self._found[id(instance)] = self._earlier.with_params(instance, values, _names_of)
+            own = self._parameters.is_of(instance.name, instance.node)
+            self._found[id(instance)] = self._earlier.with_params(instance, partial(self._below, instance.name), _names_of, own=own)
         names, moved = self._found[id(instance)]
         anything = not (instance.is_unknown or instance.literals)
         anywhere = anything or UNKNOWN_NAMESPACE in instance.namer.namespace
         namespace = None if anywhere else instance.namer.namespace.rstrip("/")
         return _Stranger(Possible(instance.name, reason, False, anything), namespace, names, moved)
+
+    def _below(self, name: str) -> Mapping[str, Any]:
+        """The values of the params below a node."""
+        below = islice(self._parameters.below(name), _MOST_VALUES)
+        return {full: self._parameters.value(full) for full in below if _NO_TOPIC not in full}
 
     @cached_property
     def params(self) -> frozenset[str]:

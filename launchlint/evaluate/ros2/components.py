@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 from launchlint.evaluate.ros2 import component_parameters
@@ -77,8 +78,16 @@ def load(walk: Walk, met: list[Met], container: Value, place: Place | None) -> N
         if each.condition is not None:
             assumed = outer.assumed or each.condition.assumed
             walk.here = outer._replace(conditions=(*outer.conditions, each.condition), assumed=assumed)
-        _load(walk, each, container, place)
+        if walk.repeats is None or not isinstance(container, str):
+            _load(walk, each, container, place)
+        else:
+            perform = partial(_load_again, met=each, container=container, target=place)
+            walk.repeats.execute(walk, each.component, perform, (container, each.ignored))
         walk.here = outer
+
+
+def _load_again(walk: Walk, _: described.Component, *, met: Met, container: str, target: Place | None) -> None:
+    _load(walk, met, container, target)
 
 
 def _load(walk: Walk, met: Met, container: Value, target: Place | None) -> None:

@@ -60,6 +60,7 @@ class Listings:
     def __init__(self) -> None:
         self.files: dict[tuple[int, Changes], Listing] = {}
         self.below: dict[tuple[str, Changes], _Below] = {}
+        self.included: dict[tuple[int, Changes], _Below] = {}
         self.reached: dict[int, tuple[tuple[Action, bool], ...]] = {}
 
 
@@ -131,13 +132,17 @@ class Lister:
     def _included(self, include: Include) -> _Below:
         """What the file of an include adds; nothing where it cannot be told, or includes itself."""
         nothing = _Below((), frozenset())
+        changes = self._changes()
+        again = (id(include), changes)
+        if not self._open and again in self._kept.included:
+            return self._kept.included[again]
         try:
             file = self._performer.perform(include.file)
         except Failure:
             return nothing
         if isinstance(file, Unknown) or file in self._open:
             return nothing
-        key = (file, self._changes())
+        key = (file, changes)
         known = self._kept.below.get(key)
         if known is None:
             description = self._read(file)
@@ -146,6 +151,7 @@ class Lister:
             self._open.add(file)
             known = self._kept.below[key] = self._all_below(description)
             self._open.remove(file)
+        self._kept.included[again] = known
         return known
 
     def _all_below(self, description: Description) -> _Below:

@@ -23,14 +23,15 @@ if TYPE_CHECKING:
     from launchlint.evaluate.ros2.walk import Here, Walk
     from launchlint.model import Remap
     from launchlint.problem import Problem
-    from launchlint.syntax.ros2.description import Action
+    from launchlint.syntax.ros2.description import Action, Component
 
     Logs = tuple[list[Any], ...]
     """What the walk collects, in the order in which it comes."""
     Saying = tuple[tuple[object, ...] | None, Problem]
     Said = list[Saying]
-    Key = tuple[int, tuple[int, ...]]
-    """An action, and the includes that lead to it: each by its identity."""
+    Key = tuple[int, tuple[int, ...], tuple[object, ...]]
+    """An action, and the includes that lead to it: each by its identity; and what it is executed with."""
+    Performed = Action | Component
 
 _NOTHING: frozenset[tuple[str, tuple[str, int]]] = frozenset()
 MOST_KEPT = 6
@@ -76,7 +77,7 @@ class Outcome(NamedTuple):
     of the walk.
     """
 
-    action: Action
+    action: Performed
     situation: Situation
     uses: Uses
     names: frozenset[str] | None
@@ -91,7 +92,7 @@ class Outcome(NamedTuple):
     logged: tuple[tuple[Any, ...], ...]
     said: tuple[Saying, ...]
 
-    def fits(self, action: Action, situation: Situation, walk: Walk) -> bool:
+    def fits(self, action: Performed, situation: Situation, walk: Walk) -> bool:
         """Whether ``action`` would come to the same now."""
         if self.action is not action or self.situation != situation:
             return False
@@ -144,9 +145,9 @@ class Repeats:
             known = self._steps[id(place), id(parent)] = IncludeStep(place, parent)
         return known
 
-    def execute(self, walk: Walk, action: Action, perform: Callable[[Walk, Any], None]) -> None:
-        """Execute an action, or take over what came of it."""
-        key = (id(action), walk.here.way)
+    def execute(self, walk: Walk, action: Performed, perform: Callable[[Walk, Any], None], of: tuple[object, ...] = ()) -> None:
+        """Execute an action, or take over what came of it; ``of`` is what ``perform`` hangs on beside the walk."""
+        key = (id(action), walk.here.way, of)
         situation = Situation.of(walk)
         outcomes = self._known.setdefault(key, [])
         for outcome in outcomes:
@@ -159,7 +160,7 @@ class Repeats:
             del outcomes[MOST_KEPT:]
 
 
-def _executed(walk: Walk, action: Action, perform: Callable[[Walk, Any], None], situation: Situation) -> Outcome | None:
+def _executed(walk: Walk, action: Performed, perform: Callable[[Walk, Any], None], situation: Situation) -> Outcome | None:
     """Execute an action; None where the next one cannot take over what comes of it."""
     context = walk.context
     around = context.uses

@@ -86,6 +86,15 @@ CASES = {
         f'<arg name="a" default="0"/><let if="$(var a)" name="x" value="1"/>{INCLUDE.format("b")}{INCLUDE.format("b")}',
         f'<arg name="x"/><group><arg name="x"/></group><node pkg="pk" exec="n" args="$(var x none)"/>{INCLUDE.format("c")}',
     ),
+    "components": (
+        '<arg name="a" default="0"/><node_container pkg="c" exec="c" name="one" namespace=""/>'
+        '<node_container pkg="c" exec="c" name="two" namespace=""/>' + INCLUDE.format("b"),
+        (
+            '<load_composable_node target="$(if $(var a) /one /two)"><composable_node pkg="pk" plugin="p::A" name="a"/></load_composable_node>'
+            '<load_composable_node target="/one"><composable_node pkg="pk" plugin="p::A" name="b"><param name="x" value="$(var a)"/>'
+            '</composable_node><composable_node pkg="pk" plugin="p::A" name="c" if="$(var a)"/></load_composable_node>'
+        ),
+    ),
     "a condition around": ('<arg name="a" default="0"/><group if="$(not $(var a))">' + INCLUDE.format("b") + "</group>", NODE),
     "a file by its name": (
         f'<arg name="a" default="0"/><let name="f" value="$(if $(var a) b c)"/>{INCLUDE.format("$(var f)")}{INCLUDE.format("$(var f)")}',
