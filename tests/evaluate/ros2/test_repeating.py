@@ -90,7 +90,7 @@ CASES = {
         '<arg name="a" default="0"/><node_container pkg="c" exec="c" name="one" namespace=""/>'
         '<node_container pkg="c" exec="c" name="two" namespace=""/>' + INCLUDE.format("b"),
         (
-            '<load_composable_node target="$(if $(var a) /one /two)"><composable_node pkg="pk" plugin="p::A" name="a"/></load_composable_node>'
+            '<load_composable_node target="$(if $(var a) /one /two)"><composable_node pkg="pk" plugin="A" name="a"/></load_composable_node>'
             '<load_composable_node target="/one"><composable_node pkg="pk" plugin="p::A" name="b"><param name="x" value="$(var a)"/>'
             '</composable_node><composable_node pkg="pk" plugin="p::A" name="c" if="$(var a)"/></load_composable_node>'
         ),
