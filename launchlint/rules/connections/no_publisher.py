@@ -5,7 +5,8 @@ node publishes the same type under a name so near that one of the two is wrong: 
 publisher in turn reaches nobody; or where the two are the only ones in the launch that speak a type made for one purpose. It is an info
 where the names are less alike; where a node that waits in vain for everything finds one single topic of its type; and where the type is
 one of `std_msgs`, the names are those of the code, and one of the programs runs several times. So it is where the names have nothing in
-common, and the sources of the workspace publish (or hear) the one that is left alone: that program may be started from elsewhere.
+common, and other sources of the workspace publish (or hear) the one that is left alone: that program may be started from elsewhere. And
+so it is where a remap with the missing name stands in the other node and acts on nothing, which LL601 tells.
 
 It is told, too, where something else shows what was meant, however little the names are alike; a note then says what. The node waits
 for a private name (`~odom`) that no remap leads anywhere, so that others publish there only if they are told to, and just one other node

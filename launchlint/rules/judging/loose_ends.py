@@ -157,8 +157,11 @@ class LooseEnds:
             level = level if loose or level is not Severity.INFO else None
         if level is Severity.WARNING and how != SLIP and comes_from_around(self._view, taker, end if offers else other):
             level = Severity.INFO
+        if shown is None and (self._signs.is_led_in_vain(other, end) or self._signs.is_led_in_vain(end, other)):
+            level = level and Severity.INFO
         if level is Severity.WARNING and shown is None and how in ("", WORDS):  # a program that is not started here may be at the other end
-            level = Severity.INFO if says(last_part(end), self._view.packages, offers=not offers) else level
+            elsewhere = says(last_part(end), self._view.packages, offers=not offers, besides=_sources(other))
+            level = Severity.INFO if elsewhere else level
         if level is None or (level is Severity.INFO and end.declaration.when == "subscriber"):
             return None
         partner = self.owners[id(other)]
@@ -351,3 +354,8 @@ def last_part(end: Endpoint) -> str:
 
 def _is_plural(left: str, right: str) -> bool:
     return left.rstrip("s") == right.rstrip("s")
+
+
+def _sources(end: Endpoint) -> tuple[str, ...]:
+    """The files of the workspace that the name was read from."""
+    return tuple(each["at"].rpartition(":")[0] for each in end.declaration.evidence if "here" in each)

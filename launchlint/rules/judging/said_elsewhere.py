@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from launchlint.workspace.looking import note, walk, watched
 from launchlint.workspace.packages import Packages
@@ -11,26 +11,35 @@ from launchlint.workspace.texts import parts
 _SOURCE_ENDS = (".cpp", ".cc", ".cxx", ".c", ".h", ".hpp", ".py")
 _MOST_DIRECTORIES = 2_000
 _MOST_FILES = 4_000
+_MOST_KEPT = 8
+"""Files that are kept of those that say one name."""
 
 
-def says(name: str, packages: Packages, *, offers: bool) -> bool:
+def says(name: str, packages: Packages, *, offers: bool, besides: Collection[str] = ()) -> bool:
     """Whether any source file of the workspaces publishes (``offers``) or hears a topic that is called ``name`` in the code.
 
     The first part of a name in namespaces counts as little as in the code of a node that is started in one: only the last part does.
+    ``besides`` are the ends of paths of files that do not count.
     """
     known, looked = packages.once(_kept)[0]
     note(looked)
-    return f"{'+' if offers else '-'}{name}" in known
+    without = tuple(f"/{each}" for each in besides)
+    return any(not file.endswith(without) for file in known.get(f"{'+' if offers else '-'}{name}", ()))
 
 
-def _kept(packages: Packages) -> list[tuple[frozenset[str], frozenset[str]]]:
-    """What the sources say, and what that hangs on."""
+def _kept(packages: Packages) -> list[tuple[dict[str, tuple[str, ...]], frozenset[str]]]:
+    """What the sources say, each with the first files that do, and what that hangs on."""
     return [watched(lambda: _read(packages))]
 
 
-def _read(packages: Packages) -> frozenset[str]:
+def _read(packages: Packages) -> dict[str, tuple[str, ...]]:
     looked: set[str] = set()
-    found = frozenset(word for _, words in parts(_sources(packages), _MOST_FILES, looked, "topics") for word in words)
+    found: dict[str, tuple[str, ...]] = {}
+    for file, words in parts(_sources(packages), _MOST_FILES, looked, "topics"):
+        for word in words:
+            files = found.get(word, ())
+            if len(files) < _MOST_KEPT and file not in files:
+                found[word] = (*files, file)
     note(looked)
     return found
 

@@ -31,11 +31,12 @@ Role = tuple[str, str, str]
 
 
 class _Stray(NamedTuple):
-    """The two sides of a remap, as written, and its place."""
+    """The two sides of a remap, as written, its place, and a node that it stands in (empty where it stands there twice)."""
 
     source: str
     target: str
     place: str
+    node: str
 
 
 class _Alike(NamedTuple):
@@ -76,6 +77,11 @@ class Signs:
                 if sides == [moved.unremapped, stays.name]:
                     return f"a remap of {stray.source} to {stray.target} stands at {stray.place}, where it does nothing"
         return ""
+
+    def is_led_in_vain(self, end: Endpoint, other: Endpoint) -> bool:
+        """Whether a remap with the name of ``other`` stands in the node of ``end`` and acts on nothing: it is told by LL601."""
+        namer = self._owners[id(end)].namer
+        return any(absolute(each, namer.home, namer.node) == other.name for each in self._vain.get(end.node, ()))
 
     def odd_one_out(self, end: Endpoint) -> str:
         """What it says of a name that no remap acts on, while one does in all other nodes of the program, and makes them meet somebody."""
@@ -138,19 +144,29 @@ class Signs:
             entries: list[Endpoint | Reading] = [*instance.endpoints, *instance.readings]
             for entry in entries:
                 acting.update(each.rule.remap.origin.place for each in entry.applied if each.rule.remap is not None)
-        found: dict[Place, tuple[str, str]] = {}
+        found: dict[Place, tuple[str, str, str]] = {}
         for instance in self._graph.instances:
             for remap in () if instance.is_unknown else instance.node.remaps:
                 if remap.source and remap.origin.place not in acting and is_inside(remap, instance):
-                    found[remap.origin.place] = (remap.source, remap.target)
+                    found[remap.origin.place] = (remap.source, remap.target, instance.name)
         for problem in self._graph.launch.noticed(RemapReplaced):
             if problem.old == problem.new:
-                found[problem.origin.place] = (problem.key, problem.new)
+                found[problem.origin.place] = (problem.key, problem.new, "")
         strays: dict[str, list[_Stray]] = {}
-        for place, sides in found.items():
+        for place, (source, target, node) in found.items():
             line, _ = place.source.position(place.span.start)
-            strays.setdefault(sides[0].rpartition("/")[2].lstrip("~"), []).append(_Stray(*sides, f"{place.source.path}:{line}"))
+            stray = _Stray(source, target, f"{place.source.path}:{line}", node)
+            strays.setdefault(source.rpartition("/")[2].lstrip("~"), []).append(stray)
         return strays
+
+    @cached_property
+    def _vain(self) -> dict[str, list[str]]:
+        """For each node both sides of the remaps inside it that act on nothing."""
+        found: dict[str, list[str]] = {}
+        for strays in self._strays.values():
+            for each in strays:
+                found.setdefault(each.node, []).extend((each.source, each.target))
+        return found
 
     @cached_property
     def _hears(self) -> dict[tuple[str, str], list[str]]:
