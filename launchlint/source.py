@@ -35,13 +35,14 @@ class Source:
     ends as they are on disk (a byte order mark is not part of it).
     """
 
-    __slots__ = ("_line_starts", "file", "path", "text")
+    __slots__ = ("_addresses", "_line_starts", "file", "path", "text")
 
     def __init__(self, path: str, text: str, file: str | None = None) -> None:
         self.path = path
         self.text = text
         self.file = path if file is None else file
         self._line_starts: list[int] | None = None
+        self._addresses: dict[int, str] = {}
 
     def __repr__(self) -> str:
         return f"Source({self.path!r})"
@@ -58,6 +59,14 @@ class Source:
         starts = self.line_starts
         line = bisect_right(starts, offset)
         return Position(line, offset - starts[line - 1] + 1)
+
+    def address(self, offset: int) -> str:
+        """``path:line:column`` of ``offset``, written once: a graph names few places, and these often."""
+        known = self._addresses.get(offset)
+        if known is None:
+            line, column = self.position(offset)
+            known = self._addresses[offset] = f"{self.path}:{line}:{column}"
+        return known
 
     def offset(self, number: int, column: int) -> int:
         """The offset of a column of line ``number``, counted from 0 in bytes of UTF-8, as Python's syntax trees do; the end of the text

@@ -181,8 +181,7 @@ def _spelled(given: Sequence[tuple[str, str]]) -> str:
 
 def place_text(place: Place) -> str:
     """``path:line:column``."""
-    line, column = place.source.position(place.span.start)
-    return f"{place.source.path}:{line}:{column}"
+    return place.source.address(place.span.start)
 
 
 def _node(instance: Instance, containers: _Containers) -> TopologyNode:
@@ -312,6 +311,8 @@ def value_text(value: Any) -> str:
         text = "true" if value else "false"
     elif isinstance(value, str):
         text = value
+    elif isinstance(value, float):
+        text = repr(value)
     else:
         text = _shortened(value)
     return text if len(text) <= SAMPLE else f"{text[: SAMPLE - 1]}…"

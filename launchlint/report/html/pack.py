@@ -47,6 +47,8 @@ def packed(value: Any) -> str:
         return _text(value)
     if type(value) is int:
         return str(value)
+    if type(value) is bool:
+        return "true" if value else "false"
     if isinstance(value, dict):
         return "{" + ",".join(f"{_text(key)}:{packed(item)}" for key, item in value.items()) + "}"
     if not isinstance(value, (list, tuple)):
@@ -64,12 +66,13 @@ def _table(rows: Sequence[Mapping[str, Any]]) -> str:
 
 
 _MISSING = object()
+_TEXTS, _INTEGERS = {str}, {int}
 
 
 def _column(cells: Sequence[Any]) -> str:
     """A column of plain JSON values; :data:`_MISSING` stands for one that is not there."""
     present = [cell for cell in cells if cell is not _MISSING]
-    are_texts = set(map(type, present)) == {str}
+    are_texts = set(map(type, present)) == _TEXTS
     # Texts are told apart as they are, everything else as it is written: True is not 1.
     written = present if are_texts else list(map(_cell, present))
     distinct = list(dict.fromkeys(written))
@@ -96,8 +99,11 @@ def _cell(value: Any) -> str:
     if type(value) is list or type(value) is tuple:
         if not value:
             return "[]"
-        if set(map(type, value)) == {int}:
+        kinds = set(map(type, value))
+        if kinds == _INTEGERS:
             return f"[{','.join(map(str, value))}]"
+        if kinds == _TEXTS:
+            return f"[{','.join(map(_text, value))}]"
         text = _json(value)
         return packed(value) if "{" in text else text
     return packed(value)
@@ -113,22 +119,26 @@ def _texts(texts: Sequence[str]) -> str:
     plain = f"[{','.join(map(_text, texts))}]"
     if len(texts) < 2:
         return plain
-    before = ""
+    before, shared = "", 0
     rests = []
     for text in texts:
-        shared = _common(before, text) if text[:1] == before[:1] else 0
+        shared = _common(before, text, shared) if text[:1] == before[:1] else 0
         rests.append(_text(f"{DIGITS[shared]}{text[shared:]}"))
         before = text
     front = f'{{"$front":[{",".join(rests)}]}}'
     return front if len(front) < len(plain) else plain
 
 
-def _common(one: str, other: str) -> int:
-    """How many characters both begin with, of those that a digit can count and JavaScript counts as one."""
+def _common(one: str, other: str, likely: int) -> int:
+    """How many characters both begin with, of those that a digit can count and JavaScript counts as one; sooner if it is ``likely``."""
     least, most = 0, min(len(one), len(other), len(DIGITS) - 1)
+    if likely <= most and one[:likely] == other[:likely]:
+        least = likely
+        if likely < most and one[likely] != other[likely]:
+            most = likely
     while least < most:
         middle = (least + most + 1) // 2
-        if one[:middle] == other[:middle]:
+        if one[least:middle] == other[least:middle]:
             least = middle
         else:
             most = middle - 1
