@@ -1,6 +1,6 @@
 (() => {
   // launchlint/report/html/js/drawing/drawing.css
-  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 12px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open.machine > .shape { stroke-width: 2.4; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box .inner { fill: none; stroke: var(--ll-edge); stroke-width: 0.8; }\n.ll-drawing .box.host > .shape { stroke-width: 2.2; }\n.ll-drawing .box.tray > .shape { stroke-dasharray: 2 4; fill-opacity: 0; }\n.ll-drawing .line .qos { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 12px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge.elsewhere circle { fill: var(--ll-node); stroke: var(--ll-muted); stroke-width: 1.2; stroke-dasharray: 2.5 2; }\n.ll-drawing .badge.elsewhere.warning circle { stroke: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error circle { stroke: var(--ll-error); }\n.ll-drawing .badge.elsewhere.warning text { fill: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error text { fill: var(--ll-error); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 12px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.clash .course { stroke: var(--ll-error); }\n.ll-drawing .name.clash text { fill: var(--ll-error); }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.own { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .told { pointer-events: none; }\n.ll-drawing .told text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 4px; stroke-linejoin: round; fill: var(--ll-chosen); }\n.ll-drawing .told.hollow text { font-style: italic; fill: var(--ll-text); }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
+  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 12px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open.machine > .shape { stroke-width: 2.4; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box .inner { fill: none; stroke: var(--ll-edge); stroke-width: 0.8; }\n.ll-drawing .box.host > .shape { stroke-width: 2.2; }\n.ll-drawing .box.tray > .shape { stroke-dasharray: 2 4; fill-opacity: 0; }\n.ll-drawing .line .qos { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 12px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge.elsewhere circle { fill: var(--ll-node); stroke: var(--ll-muted); stroke-width: 1.2; stroke-dasharray: 2.5 2; }\n.ll-drawing .badge.elsewhere.warning circle { stroke: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error circle { stroke: var(--ll-error); }\n.ll-drawing .badge.elsewhere.warning text { fill: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error text { fill: var(--ll-error); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 12px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.clash .course { stroke: var(--ll-error); }\n.ll-drawing .name.clash text { fill: var(--ll-error); }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.own { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .told { pointer-events: none; }\n.ll-drawing .told text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 4px; stroke-linejoin: round; fill: var(--ll-chosen); }\n.ll-drawing .told.hollow text { font-style: italic; fill: var(--ll-text); }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n/* What takes long says so. */\n.ll-drawing-host.waiting::after {\n  content: "Drawing …";\n  position: absolute;\n  top: 12px;\n  left: 50%;\n  transform: translateX(-50%);\n  padding: 4px 12px;\n  border-radius: 12px;\n  background: var(--ll-text);\n  color: var(--ll-ground);\n  font: 13px system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif;\n  pointer-events: none;\n}\n';
 
   // launchlint/report/html/js/drawing/export.js
   var MARGIN = 16;
@@ -1697,9 +1697,13 @@ ${counted(about.nodes, "node")}`;
     }
     return null;
   }
+  function clashWords(wire) {
+    var _a;
+    return ((_a = clashIn(wire)) == null ? void 0 : _a.join(" ≠ ")) ?? "";
+  }
   function qosLine(wire) {
-    const clash = clashIn(wire);
-    if (clash) return clash.join(" ≠ ");
+    const clash = clashWords(wire);
+    if (clash) return clash;
     return wire.kind === "topic" ? UNUSUAL.filter((word) => wire.givers.some(({ qos = "" }) => says(qos, word))).join(", ") : "";
   }
 
@@ -1776,7 +1780,16 @@ ${counted(about.nodes, "node")}`;
     const kind = ((_a = wires[0]) == null ? void 0 : _a.kind) ?? "topic";
     const [only2, more] = wires;
     if (only2 && !more) return [...inLines(shortName(only2.name, namespace, LABEL), BROAD2), ...[qosLine(only2)].filter(Boolean)];
-    return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, BROAD2)) : [counted(wires.length, kind)];
+    if (wires.length < BUNDLE) return wires.flatMap((wire) => [shortName(wire.name, namespace, BROAD2), ...[clashWords(wire)].filter(Boolean)]);
+    return [counted(wires.length, kind), ...clashesOf(wires, namespace)];
+  }
+  function clashesOf(wires, namespace) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const wire of wires) {
+      const words2 = clashWords(wire);
+      if (words2) found2.set(words2, [...found2.get(words2) ?? [], wire]);
+    }
+    return Array.from(found2, ([words2, [first, ...others]]) => `${others.length || !first ? others.length + 1 : shortName(first.name, namespace, BROAD2)}: ${words2}`);
   }
   var Ports = class {
     /** @param {Level} level */
@@ -2423,37 +2436,37 @@ ${counted(about.nodes, "node")}`;
     for (const group3 of groups.values()) for (const node of group3.nodes) home.set(node, group3);
     const exists = Uint8Array.from(entry.nodes, (node) => Number(!node.absent && presence.meet(presence.of(node.only, node.mark), now)));
     const all = wiresOf(entry, state, presence, now, exists);
-    const shown = Uint8Array.from(exists);
-    for (const node of hiddenNodes(state, whole)) shown[node] = 0;
-    if (!state.tray || state.hidden.has(trayId(state.grouping))) for (const node of tray) shown[node] = 0;
+    const shown2 = Uint8Array.from(exists);
+    for (const node of hiddenNodes(state, whole)) shown2[node] = 0;
+    if (!state.tray || state.hidden.has(trayId(state.grouping))) for (const node of tray) shown2[node] = 0;
     const loose = looseEnds(all, presence);
-    if (state.danglingOnly) shown.forEach((_, node) => loose.has(node) || (shown[node] = 0));
-    if (state.findingsOnly) keepFindings(entry, all, shown);
+    if (state.danglingOnly) shown2.forEach((_, node) => loose.has(node) || (shown2[node] = 0));
+    if (state.findingsOnly) keepFindings(entry, all, shown2);
     const terms = termsOf(state.filter);
-    if (terms.length) fittingNodes(entry, terms).forEach((fits, node) => fits || (shown[node] = 0));
+    if (terms.length) fittingNodes(entry, terms).forEach((fits, node) => fits || (shown2[node] = 0));
     let root = tree;
     const stubs = /* @__PURE__ */ new Set();
     const focus = state.focus === null ? void 0 : groups.get(state.focus);
     if (focus && focus !== tree) {
-      keepAround(focus, all, shown);
+      keepAround(focus, all, shown2);
       root = surroundings(focus, groups, stubs);
       for (const node of root.nodes) home.set(node, root);
       groups.set(root.id, root);
     }
-    const params = state.layers.params ? ownParams(entry, presence, now, shown) : /* @__PURE__ */ new Map();
+    const params = state.layers.params ? ownParams(entry, presence, now, shown2) : /* @__PURE__ */ new Map();
     const counts = /* @__PURE__ */ new Map();
-    count(root, shown, counts);
-    const wires = state.danglingOnly ? [] : all.filter((wire) => fitsType(terms, wire.types)).map((wire) => within(wire, shown)).filter((wire) => wire.givers.length + wire.takers.length > 1);
+    count(root, shown2, counts);
+    const wires = state.danglingOnly ? [] : all.filter((wire) => fitsType(terms, wire.types)).map((wire) => within(wire, shown2)).filter((wire) => wire.givers.length + wire.takers.length > 1);
     if (state.topicsAsNodes) {
       wires.length = 0;
       for (const wire of all) {
-        const kept2 = within(wire, shown);
+        const kept2 = within(wire, shown2);
         if (kept2.givers.length + kept2.takers.length > 0) wires.push({ ...kept2, pilled: true, always: true });
       }
       loose.clear();
     }
     const touched = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
-    return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs, touched, ranks: ranksOf(entry), machines: new Set(entry.nodes.map((node) => node.machine.join(" "))).size };
+    return { entry, state, findings: data.findings, presence, now, root, groups, shown: shown2, counts, home, wires, loose, params, stubs, touched, ranks: ranksOf(entry), machines: new Set(entry.nodes.map((node) => node.machine.join(" "))).size };
   }
   function* hiddenNodes({ hidden }, tree) {
     for (const id of hidden) if (id.startsWith("n:")) yield Number(id.slice(2));
@@ -2504,11 +2517,11 @@ ${counted(about.nodes, "node")}`;
     });
     return found2;
   }
-  function ownParams(entry, presence, now, shown) {
+  function ownParams(entry, presence, now, shown2) {
     const counts = /* @__PURE__ */ new Map();
     for (const param of entry.params) {
       const reader = param.readers[0];
-      if (reader === void 0 || !shown[reader] || param.readers.some((each) => each !== reader)) continue;
+      if (reader === void 0 || !shown2[reader] || param.readers.some((each) => each !== reader)) continue;
       if (presence.meet(presence.of(param.only, param.mark), now)) counts.set(reader, (counts.get(reader) ?? 0) + 1);
     }
     return counts;
@@ -2533,20 +2546,20 @@ ${counted(about.nodes, "node")}`;
   function moments(ends2) {
     return Array.from(new Set(ends2.map((end) => end.when)));
   }
-  function keepFindings(entry, wires, shown) {
+  function keepFindings(entry, wires, shown2) {
     const kept2 = /* @__PURE__ */ new Set();
     entry.nodes.forEach((node, index) => node.findings.length && kept2.add(index));
     for (const wire of wires) if (wire.findings.length) for (const end of [...wire.givers, ...wire.takers]) kept2.add(end.node);
-    shown.forEach((_, node) => kept2.has(node) || (shown[node] = 0));
+    shown2.forEach((_, node) => kept2.has(node) || (shown2[node] = 0));
   }
-  function keepAround(focus, wires, shown) {
+  function keepAround(focus, wires, shown2) {
     const inside = new Set(Array.from(walk(focus), (each) => each.nodes).flat());
     const kept2 = new Set(inside);
     for (const { givers, takers } of wires) {
       if (givers.some((end) => inside.has(end.node))) for (const end of takers) kept2.add(end.node);
       if (takers.some((end) => inside.has(end.node))) for (const end of givers) kept2.add(end.node);
     }
-    shown.forEach((_, node) => kept2.has(node) || (shown[node] = 0));
+    shown2.forEach((_, node) => kept2.has(node) || (shown2[node] = 0));
   }
   function surroundings(focus, groups, stubs) {
     const root = { ...focus, id: `${focus.id}~`, kind: "root", namespace: "", groups: [focus], nodes: [], parent: "" };
@@ -2565,15 +2578,15 @@ ${counted(about.nodes, "node")}`;
     }
     return root;
   }
-  function count(group3, shown, counts) {
+  function count(group3, shown2, counts) {
     let total = 0;
-    for (const node of group3.nodes) total += shown[node] ? 1 : 0;
-    for (const each of group3.groups) total += count(each, shown, counts);
+    for (const node of group3.nodes) total += shown2[node] ? 1 : 0;
+    for (const each of group3.groups) total += count(each, shown2, counts);
     counts.set(group3.id, total);
     return total;
   }
-  function within(wire, shown) {
-    const isShown2 = (end) => shown[end.node] === 1;
+  function within(wire, shown2) {
+    const isShown2 = (end) => shown2[end.node] === 1;
     if (wire.givers.every(isShown2) && wire.takers.every(isShown2)) return wire;
     return { ...wire, givers: wire.givers.filter(isShown2), takers: wire.takers.filter(isShown2) };
   }
@@ -2968,10 +2981,10 @@ ${counted(about.nodes, "node")}`;
      * @returns {Promise<Scene>}
      */
     async scene(state, extent) {
-      const shown = this.view(state, extent);
-      const view = this.whole(shown);
-      if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded), shown);
-      return this.stage(view, await this.opened(this.before(view) ?? view, extent), shown);
+      const shown2 = this.view(state, extent);
+      const view = this.whole(shown2);
+      if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded), shown2);
+      return this.stage(view, await this.opened(this.before(view) ?? view, extent), shown2);
     }
     /**
      * The containers that are open at first: as many as leave all names legible.
@@ -3031,11 +3044,11 @@ ${counted(about.nodes, "node")}`;
       return grown(whole, before, await fresh(before), fresh, (box2) => turnOf(view.entry, box2.id), this.measure);
     }
     /** @param {View} view that is laid out @param {Set<string>} open @param {View} [shown] what of it is seen @returns {Promise<Scene>} */
-    async stage(view, open, shown = view) {
+    async stage(view, open, shown2 = view) {
       const whole = levelsOf(view, open, this.measure);
       const placed = await this.laidOut(view, whole, open);
-      const root = shown === view ? whole : masked(whole, shown, this.measure);
-      return { view: shown, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
+      const root = shown2 === view ? whole : masked(whole, shown2, this.measure);
+      return { view: shown2, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
     }
   };
   function wholeState(state) {
@@ -3092,6 +3105,13 @@ ${counted(about.nodes, "node")}`;
   // launchlint/report/html/js/drawing/surface.js
   var GLIDE = 220;
   var PAUSE = 250;
+  var PATIENCE = 150;
+  function shown() {
+    return new Promise((done) => {
+      requestAnimationFrame(() => setTimeout(done));
+      setTimeout(done, PATIENCE);
+    });
+  }
   var Surface = class {
     /** @param {ReportData} data @param {HTMLElement} host @param {DrawingEvents} events */
     constructor(data, host2, events) {
@@ -3126,6 +3146,7 @@ ${counted(about.nodes, "node")}`;
       this.open = /* @__PURE__ */ new Set();
       this.selection = null;
       this.turn = 0;
+      this.slow = false;
       this.shownKey = "";
       this.svgElement.addEventListener("click", (event) => this.click(event));
       this.svgElement.addEventListener("dblclick", (event) => this.doubleClick(event));
@@ -3135,10 +3156,12 @@ ${counted(about.nodes, "node")}`;
     async show(state) {
       const turn = ++this.turn;
       const key = keyOf(state);
+      const same = key.all === this.shownKey;
       this.events.busy(true);
+      this.host.classList.toggle("waiting", !same && this.slow);
+      if (!same && this.slow) await shown();
       try {
-        const same = key.all === this.shownKey;
-        const scene = same && this.scene ? this.scene : await this.director.scene(state, this.viewport.extent);
+        const scene = same && this.scene ? this.scene : await this.made(state);
         if (turn !== this.turn) return;
         scene.view.state = state;
         const before = this.scene;
@@ -3150,8 +3173,18 @@ ${counted(about.nodes, "node")}`;
         this.match(state.matches);
         this.select(this.selection);
       } finally {
-        if (turn === this.turn) this.events.busy(false);
+        if (turn === this.turn) {
+          this.host.classList.remove("waiting");
+          this.events.busy(false);
+        }
       }
+    }
+    /** @param {ViewState} state */
+    async made(state) {
+      const begun = performance.now();
+      const scene = await this.director.scene(state, this.viewport.extent);
+      this.slow = performance.now() - begun > PATIENCE;
+      return scene;
     }
     /** @param {Scene} scene @param {Scene | null} before the one whose place on the screen is kept */
     put(scene, before) {
@@ -4149,15 +4182,15 @@ ${counted(about.nodes, "node")}`;
     return kind === "node" ? `[${inside}]` : `([${inside}])`;
   }
   function line2({ kind, names: names2, conditional }) {
-    const shown = names2.length < BUNDLE3 ? names2.map((each) => label(each)).join("<br/>") : `${names2.length} ${kind}s`;
-    const text2 = shown && `|"${shown}"|`;
+    const shown2 = names2.length < BUNDLE3 ? names2.map((each) => label(each)).join("<br/>") : `${names2.length} ${kind}s`;
+    const text2 = shown2 && `|"${shown2}"|`;
     if (kind === "action") return `==>${text2}`;
     return conditional || kind === "service" ? `-.->${text2}` : `-->${text2}`;
   }
   function label(text2, longest = LONGEST4) {
     const characters = Array.from(text2);
-    const shown = characters.length <= longest ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(longest - 27))];
-    return shown.map((each) => /^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`).join("");
+    const shown2 = characters.length <= longest ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(longest - 27))];
+    return shown2.map((each) => /^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`).join("");
   }
 
   // launchlint/report/html/js/page/reference.js
@@ -4204,14 +4237,14 @@ ${counted(about.nodes, "node")}`;
   function source(model, place2, marked) {
     const [file, line4, column] = place2;
     const last = marked ? Math.min(marked.endLine, line4 + LONGEST_MARKED) : line4;
-    const shown = [];
+    const shown2 = [];
     for (let at = Math.max(1, line4 - AROUND); at <= last + AROUND; at += 1) {
       const text2 = model.line(file, at);
       if (text2 === void 0) continue;
       const inside = at >= line4 && at <= last;
       const from = at === line4 ? column - 1 : 0;
       const to = marked && at === marked.endLine ? marked.endColumn - 1 : Infinity;
-      shown.push(
+      shown2.push(
         element2(
           "span",
           { class: inside ? "line hit" : "line" },
@@ -4223,11 +4256,11 @@ ${counted(about.nodes, "node")}`;
         const start2 = at === line4 ? Math.max(column - 1, indentOf(Array.from(text2))) : indentOf(Array.from(text2));
         const below = Array.from(text2).slice(0, start2).join("").replaceAll(/[^\t]/g, " ");
         const label2 = element2("span", { class: "text" }, `${below}└ ${marked.label}`);
-        shown.push(element2("span", { class: "line label" }, element2("span", { class: "number" }), label2));
+        shown2.push(element2("span", { class: "line label" }, element2("span", { class: "number" }), label2));
       }
     }
     const where = element2("figcaption", {}, written(model, place2));
-    const code = shown.length > 0 && element2("pre", { class: "source", tabindex: 0, role: "group", "aria-label": model.place(place2) }, shown);
+    const code = shown2.length > 0 && element2("pre", { class: "source", tabindex: 0, role: "group", "aria-label": model.place(place2) }, shown2);
     return element2("figure", { class: "source" }, where, code);
   }
   function split2(line4, from, to) {
@@ -4339,8 +4372,8 @@ ${counted(about.nodes, "node")}`;
     return element2("ol", { class: "remaps", "aria-label": "Remapped" }, ...items);
   }
   function peerList(page, others, self) {
-    const { entry: shown, configuration } = page.store.get();
-    const model = page.model.entry(shown);
+    const { entry: shown2, configuration } = page.store.get();
+    const model = page.model.entry(shown2);
     const channel = model.entry.channels[self.channel];
     const direction = (channel == null ? void 0 : channel.kind) === "topic" === self.offers ? "to" : "from";
     if (others.length > 0)
@@ -6094,12 +6127,12 @@ ${end.mark}`;
       host2.setAttribute("aria-busy", "false");
     }
     function report(state) {
-      const shown = drawing.focusables().length;
-      empty.hidden = shown > 0;
-      empty.textContent = shown > 0 ? "" : whyEmpty(model.entry(state.entry), state);
-      note.textContent = shown > 0 ? leftOut(drawing.extent(), state.place === null) : "";
+      const shown2 = drawing.focusables().length;
+      empty.hidden = shown2 > 0;
+      empty.textContent = shown2 > 0 ? "" : whyEmpty(model.entry(state.entry), state);
+      note.textContent = shown2 > 0 ? leftOut(drawing.extent(), state.place === null) : "";
       note.hidden = note.textContent === "";
-      told2.textContent = shown > 0 ? `The drawing shows ${number(shown, "thing")}.` : empty.textContent;
+      told2.textContent = shown2 > 0 ? `The drawing shows ${number(shown2, "thing")}.` : empty.textContent;
     }
     async function reveal(state) {
       const target2 = drawnSelection(page, state);
@@ -6432,23 +6465,23 @@ ${end.mark}`;
         const words2 = filter.toLowerCase().split(/\s+/).filter(Boolean);
         const fits = ({ cells: cells2 }) => words2.every((word) => cells2.some((text2) => text2.toLowerCase().includes(word)));
         const bodies = [];
-        let [shown, left] = [0, 0];
+        let [shown2, left] = [0, 0];
         const seen = /* @__PURE__ */ new Set();
         for (const at of entriesOf(page, state, everything)) {
           const all = kind.rows(page.model.entry(at), everything ? -1 : state.configuration, page.model).filter(fits);
           const found2 = inOrder(kind.id === "findings" ? all.filter(({ target: target2 }) => !seen.has(target2.id) && seen.add(target2.id)) : all);
           if (found2.length === 0) continue;
-          if (shown > 0 && shown + found2.length > MOST_ROWS) {
+          if (shown2 > 0 && shown2 + found2.length > MOST_ROWS) {
             left += found2.length;
             continue;
           }
-          shown += found2.length;
+          shown2 += found2.length;
           const title2 = everything && element2("tr", { class: "entry" }, element2("th", { colspan: kind.columns.length, scope: "rowgroup" }, entryTitle(page.model.data, at)));
           bodies.push(element2("tbody", { "data-entry": at }, title2, ...found2.map(made2)));
         }
         fill(table2, table2.tHead, ...bodies);
-        wide.hidden = shown === 0;
-        empty.hidden = shown > 0;
+        wide.hidden = shown2 === 0;
+        empty.hidden = shown2 > 0;
         note.hidden = left === 0;
         note.textContent = `${left.toLocaleString("en")} more rows are left out: filter the rows, or open a launch file.`;
         this.mark(state);

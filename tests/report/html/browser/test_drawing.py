@@ -68,6 +68,25 @@ def test_what_is_opened_stays_where_it_is(open_report):
     assert (round(after[0]), round(after[1])) == (round(left), round(top))
 
 
+SIGNS = """() => {
+  window.signs = [];
+  const host = document.getElementById("drawing");
+  new MutationObserver(() => window.signs.push(getComputedStyle(host, "::after").content))
+    .observe(host, { attributes: true, attributeFilter: ["class"] });
+}"""
+
+
+def test_a_drawing_that_takes_long_says_so(open_report):
+    page = open_report("robot")
+    page.evaluate(SIGNS)
+    page.evaluate("() => { const now = performance.now.bind(performance); performance.now = () => 10_000 * now(); }")  # all takes long
+    for name in ("Topics as boxes", "Services"):  # the first says how long the second is likely to take
+        page.get_by_role("button", name=name, exact=True).click()
+        drawn(page)
+    assert '"Drawing …"' in page.evaluate("() => window.signs")
+    assert page.locator("#drawing.waiting").count() == 0
+
+
 def test_a_drag_moves_and_selects_nothing(open_report):
     page = open_report("robot", "#open=")
     left, top, *_ = place(page, "/base")

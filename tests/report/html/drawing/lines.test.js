@@ -158,3 +158,17 @@ test("of two revisions, only what changed is open at first, and its hollow ports
   const [, b] = root.boxes;
   assert.deepEqual(b.level.boxes.map((box) => box.loose.map((port) => [port.label, port.classes])), [[["/v", ["topic", "added"]], ["", ["topic"]]]]);
 });
+
+test("a line of several topics says which of them ends keep apart, and by what quality of service", async () => {
+  const of = data(["/a > /x", "/b < /x", "/a > /y", "/b < /y", "/c > /x2", "/b < /x2", "/c > /y2", "/b < /y2", "/c > /z2", "/b < /z2"]);
+  const clashing = (...names) => {
+    const { channels, connections } = of.entries[0];
+    for (const each of connections) {
+      if (names.includes(channels[each.channel].name)) each.qos = each.role === "publisher" ? "best_effort, volatile" : "reliable, volatile";
+    }
+  };
+  clashing("/y", "/y2");
+  assert.deepEqual((await scene(of)).sheet.labels.map((each) => each.lines), [["/x", "/y", "best_effort ≠ reliable"], ["3 topics", "/y2: best_effort ≠ reliable"]]);
+  clashing("/z2");
+  assert.deepEqual((await scene(of)).sheet.labels[1].lines, ["3 topics", "2: best_effort ≠ reliable"]);
+});

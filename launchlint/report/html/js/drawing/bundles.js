@@ -2,7 +2,7 @@
 
 import { BUNDLE, badgeOf, pillBox } from "./boxes.js";
 import { counted, inLines, shortName } from "./names.js";
-import { clashIn, qosLine } from "./qos.js";
+import { clashIn, clashWords, qosLine } from "./qos.js";
 
 /** @typedef {import("./boxes").Measure} Measure */
 /** @typedef {import("./model").Edge} Edge */
@@ -86,7 +86,19 @@ export function labelOf(wires, namespace) {
   const kind = wires[0]?.kind ?? "topic";
   const [only, more] = wires;
   if (only && !more) return [...inLines(shortName(only.name, namespace, LABEL), BROAD), ...[qosLine(only)].filter(Boolean)];
-  return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, BROAD)) : [counted(wires.length, kind)];
+  if (wires.length < BUNDLE) return wires.flatMap((wire) => [shortName(wire.name, namespace, BROAD), ...[clashWords(wire)].filter(Boolean)]);
+  return [counted(wires.length, kind), ...clashesOf(wires, namespace)];
+}
+
+/** What keeps ends apart in a bundle, with the name that has it, or how many do. @param {Wire[]} wires @param {string} namespace @returns {string[]} */
+function clashesOf(wires, namespace) {
+  /** @type {Map<string, Wire[]>} */
+  const found = new Map();
+  for (const wire of wires) {
+    const words = clashWords(wire);
+    if (words) found.set(words, [...(found.get(words) ?? []), wire]);
+  }
+  return Array.from(found, ([words, [first, ...others]]) => `${others.length || !first ? others.length + 1 : shortName(first.name, namespace, BROAD)}: ${words}`);
 }
 
 /** The ports of a level's border: wires that come from the same tips leave together. */

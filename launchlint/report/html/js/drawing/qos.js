@@ -25,9 +25,14 @@ export function clashIn({ kind, givers, takers }) {
   return null;
 }
 
+/** What keeps ends of a wire apart, in words; empty where nothing does. @param {Wire} wire */
+export function clashWords(wire) {
+  return clashIn(wire)?.join(" ≠ ") ?? "";
+}
+
 /** The line below the name of a wire; empty where there is nothing unusual to be said. @param {Wire} wire */
 export function qosLine(wire) {
-  const clash = clashIn(wire);
-  if (clash) return clash.join(" ≠ ");
+  const clash = clashWords(wire);
+  if (clash) return clash;
   return wire.kind === "topic" ? UNUSUAL.filter((word) => wire.givers.some(({ qos = "" }) => says(qos, word))).join(", ") : "";
 }

@@ -25,6 +25,16 @@ import { litBy } from "./walk.js";
 const GLIDE = 220;
 /** Milliseconds without a move, after which it is told where the drawing stands. */
 const PAUSE = 250;
+/** Milliseconds that a drawing may take without a sign that it is being made. */
+const PATIENCE = 150;
+
+/** What has been changed on the page is on the screen; a page that nobody sees is not waited for. */
+function shown() {
+  return new Promise((done) => {
+    requestAnimationFrame(() => setTimeout(done));
+    setTimeout(done, PATIENCE);
+  });
+}
 
 export class Surface {
   /** @param {ReportData} data @param {HTMLElement} host @param {DrawingEvents} events */
@@ -60,6 +70,8 @@ export class Surface {
     /** @type {Selection | null} */
     this.selection = null;
     this.turn = 0;
+    /** Whether the last drawing took longer than people wait: then a sign is shown before the next one is begun. */
+    this.slow = false;
     this.shownKey = "";
     this.svgElement.addEventListener("click", (event) => this.click(event));
     this.svgElement.addEventListener("dblclick", (event) => this.doubleClick(event));
@@ -70,10 +82,12 @@ export class Surface {
   async show(state) {
     const turn = ++this.turn;
     const key = keyOf(state);
+    const same = key.all === this.shownKey;
     this.events.busy(true);
+    this.host.classList.toggle("waiting", !same && this.slow);
+    if (!same && this.slow) await shown();
     try {
-      const same = key.all === this.shownKey;
-      const scene = same && this.scene ? this.scene : await this.director.scene(state, this.viewport.extent);
+      const scene = same && this.scene ? this.scene : await this.made(state);
       if (turn !== this.turn) return; // a later state is being drawn
       scene.view.state = state;
       const before = this.scene;
@@ -85,8 +99,19 @@ export class Surface {
       this.match(state.matches);
       this.select(this.selection);
     } finally {
-      if (turn === this.turn) this.events.busy(false);
+      if (turn === this.turn) {
+        this.host.classList.remove("waiting");
+        this.events.busy(false);
+      }
     }
+  }
+
+  /** @param {ViewState} state */
+  async made(state) {
+    const begun = performance.now();
+    const scene = await this.director.scene(state, this.viewport.extent);
+    this.slow = performance.now() - begun > PATIENCE;
+    return scene;
   }
 
   /** @param {Scene} scene @param {Scene | null} before the one whose place on the screen is kept */
