@@ -302,6 +302,7 @@ class Session:
             arguments,
             lambda path: installed_source(self.packages, path),
             lambda path: bool(may_be_installed(self.packages, path)),
+            self.shown,
         )
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 

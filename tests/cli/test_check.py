@@ -262,6 +262,17 @@ def test_an_entry_of_which_nobody_can_tell_is_neither_loaded_nor_refused(tmp_pat
     assert (line["verdict"], line["outcome"]["word"]) == ("unknown", "cannot be told")
 
 
+def test_what_stands_in_a_module_of_another_package_is_told_where_it_stands(tmp_path: Path) -> None:
+    manifest = "<package format=\"3\"><name>{}</name><version>1</version><export><build_type>ament_python</build_type></export></package>"
+    module = "from launch_ros.actions import Node\n\n\ndef node():\n    return Node(package='lamp', node_executable='on')\n"
+    program = "from launch import LaunchDescription\nfrom lamp.launching import node\n\n\n"
+    program += "def generate_launch_description():\n    return LaunchDescription([node()])\n"
+    files = {"a/package.xml": manifest.format("house"), "a/launch/house.launch.py": program, "b/package.xml": manifest.format("lamp")}
+    write(tmp_path, {**files, "b/lamp/__init__.py": "", "b/lamp/launching.py": module})
+    found = json.loads(run(tmp_path, "check", "--format", "json", "--select", "LL924", ".").output)["findings"]
+    assert [(each["path"], each["line"]) for each in found] == [("b/lamp/launching.py", 5)]
+
+
 def test_nothing_to_check(tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     assert run(tmp_path / "empty", "check") == (0, "no launch files to check\n", "")

@@ -130,6 +130,8 @@ def _ros2(view: FileView) -> Iterator[Finding]:
         plain, words = beside(text), words_at(text.place)
         share = f"{words.under('find-pkg-share', 'pkg', '…')} or {words.under('dirname', '', '…')}"
         fault = _home(plain, view, words)
+        if fault is not None and text.place.source.file.endswith(".py") and fault.cause not in text.place.source.text:
+            continue  # a program has read it from a file, where it may be a comment
         if fault is None and kind == "include" and plain.startswith("/") and not _is_in_container(plain, view):
             fault = _absolute(plain, kind)
             fault = None if fault is None else fault._replace(help=f"write {share}", instead="")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 from collections.abc import Callable, Sequence
 
 from launchlint.python.failures import Raised
@@ -49,6 +50,7 @@ class Following(Noticing):
         super().__init__(recogniser, root, package, finder, package or "\0")
         self.finder: WorkspaceModules = finder
         self.known = recogniser
+        self._outside = outside
         self._written: dict[str, Written] = {self.shown(written.file): written}
         self._unknowns = 0
         self._unknown: Unknown | None = None
@@ -63,8 +65,9 @@ class Following(Noticing):
             path = scope.module.path
         source = self._written.get(path)
         if source is None:
-            text = looking.content(f"{self.root}/{path}") or b""
-            source = self._written[path] = Written(path, text.decode("utf-8-sig", "replace"), f"{self.root}/{path}")
+            file = os.path.normpath(f"{self.root}/{path}")
+            text = (looking.content(file) or b"").decode("utf-8-sig", "replace")
+            source = self._written[path] = Written(self._outside.shown(file), text, file)
         line, end = getattr(node, "lineno", 1), getattr(node, "end_lineno", None)
         start = source.offset(line, getattr(node, "col_offset", 0))
         return Place(source, Span(start, start if end is None else source.offset(end, getattr(node, "end_col_offset", 0))))

@@ -77,7 +77,8 @@ class Outside:
     which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read,
     ``installed`` gives the file that a build puts to a path where the sources have none, if that is known, and ``may_be_built`` says
     whether it may put one there.
-    ``fresh`` gives the context of a launch in which nothing has been executed, ``arguments`` those that launch is given.
+    ``fresh`` gives the context of a launch in which nothing has been executed, ``arguments`` those that launch is given. ``shown`` gives
+    the path that people see of a file.
     """
 
     def __init__(
@@ -91,6 +92,7 @@ class Outside:
         arguments: Callable[[], Iterable[tuple[str, str]]] = tuple,
         installed: Callable[[str], str | None] = lambda file: None,
         may_be_built: Callable[[str], bool] = lambda file: False,
+        shown: Callable[[str], str] = lambda file: file,
     ) -> None:
         self.meant = meant
         self.distro = meant.name
@@ -102,6 +104,7 @@ class Outside:
         self.arguments = arguments
         self.installed = installed
         self.may_be_built = may_be_built
+        self.shown = shown
 
 
 class LaunchRecogniser:
