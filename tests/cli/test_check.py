@@ -263,7 +263,7 @@ def test_an_entry_of_which_nobody_can_tell_is_neither_loaded_nor_refused(tmp_pat
 
 
 def test_what_stands_in_a_module_of_another_package_is_told_where_it_stands(tmp_path: Path) -> None:
-    manifest = "<package format=\"3\"><name>{}</name><version>1</version><export><build_type>ament_python</build_type></export></package>"
+    manifest = '<package format="3"><name>{}</name><version>1</version><export><build_type>ament_python</build_type></export></package>'
     module = "from launch_ros.actions import Node\n\n\ndef node():\n    return Node(package='lamp', node_executable='on')\n"
     program = "from launch import LaunchDescription\nfrom lamp.launching import node\n\n\n"
     program += "def generate_launch_description():\n    return LaunchDescription([node()])\n"
