@@ -82,10 +82,11 @@ def check(view: RunView) -> Iterator[Finding]:
             if _is_asked(view, built):
                 note = f"whether $(find {name}) means the one or the other hangs on the order of the file system"
                 yield _finding(name, built, view.root, note, "CATKIN_IGNORE")
-    for name, copies in view.packages.colcon.duplicates().items():
-        for built in built_together_by_colcon(copies):
-            if _is_asked(view, built):
-                yield _finding(name, built, view.root, _REFUSED, "COLCON_IGNORE")
+    for name, copies in view.packages.duplicates().items():
+        if any(_is_asked(view, built) for built in built_together_by_colcon(copies)):  # only then it is worth to look as colcon does
+            for built in built_together_by_colcon(view.packages.colcon.duplicates().get(name, ())):
+                if _is_asked(view, built):
+                    yield _finding(name, built, view.root, _REFUSED, "COLCON_IGNORE")
 
 
 def _is_asked(view: RunView, built: list[Package]) -> bool:
