@@ -14,9 +14,11 @@ from launchlint.check.given_elsewhere import judged_by_givers
 from launchlint.check.given_together import judged_by_callers
 from launchlint.check.known import Known
 from launchlint.check.lost_files import judged_by_loss
+from launchlint.check.of_whole import judged_by_whole
 from launchlint.check.overridden import judged_by_includers
 from launchlint.check.retired import judged_by_place
 from launchlint.check.unregistered import judged_by_marker, judged_by_registration
+from launchlint.check.written_by_assistant import judged_by_assistant
 from launchlint.finding import Finding
 
 JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
@@ -28,6 +30,8 @@ JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
     judged_by_origin,
     judged_by_inclusion,
     judged_by_includers,
+    judged_by_assistant,
+    judged_by_whole,
     judged_by_givers,
     judged_by_loss,
     judged_by_block,

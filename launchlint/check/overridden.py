@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
@@ -18,9 +18,14 @@ def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[F
         if finding.severity is Severity.ERROR and finding.rule in _NAMED and finding.key in known.by_default:
             path, at = finding.location.path, finding.location
             names = list(parse(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text).names("arg"))
-            if names and known.reached.get(finding.key) == {path} and any(path in entry.included for entry in known.entries):
+            if names and _is_overridden_everywhere(known.reached.get(finding.key, frozenset()), known):
                 uses, file = known.packages.arg_uses(), known.file(path)
                 given = [name for name in names if uses.is_passed(file, name)]
                 if given:
                     finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(given[0])))
         yield finding
+
+
+def _is_overridden_everywhere(alone: Set[str], known: Known) -> bool:
+    """Whether of the entry files that come to it each is included by one that does not: the defaults of the first count for nobody."""
+    return bool(alone) and all(any(path in each.included and each.path not in alone for each in known.entries) for path in alone)

@@ -25,6 +25,9 @@ text in the sources of such a node has one of the two names.
 Where a node is in another namespace than the nodes it was meant for, or lacks its remaps, so that several of its names are left alone in
 the same way, that is told once, with all of them; services and actions and what is published in vain (LL613, LL614) among them.
 
+Where every file that shows it is included by another one of the workspace that does not, it is an info: what a part lacks when it is
+started alone, the whole may have.
+
 A launch file of ROS 2 that has args without a default, or that another one of its package includes, is a part of a whole. Where the node
 waits for a global name there, and the whole may give that, or put the file into the namespace in which the two meet, it is an info.
 

@@ -8,7 +8,8 @@ no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, o
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
 keeps out of the repository; for one in a git submodule that is not checked out; for one that roslaunch is to find in a package which
-is for ROS 2 here; and in a launch file that is called a template. A
+is for ROS 2 here; and in a launch file that is called a template. So
+it is where only a switch leads there that MoveIt's Setup Assistant writes into every package, and that nothing here gives. A
 directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie in
 another, and one that lacks several files which one launch file names. A name with a placeholder (`__robot__`, `@ROBOT@`) is left alone.
 

@@ -8,7 +8,7 @@ too, or it installs none of the programs that it builds (a rest of a template), 
 of plugins, which is what catkin's template offers, and was never released; unless a script, a workflow, an image or a README installs what
 is built. Where one of the files that it installs by name does not exist, installing fails, and it is an info, too. And it is one for a file
 beside `CMakeLists.txt` where another one of its name is installed. All files of one directory that are missing for one reason are told of
-at once.
+at once, and so are those of several packages that each leave out their directory of one name.
 
 ## Why it matters
 
@@ -80,10 +80,12 @@ frame_rate: 30
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
+from launchlint.plural import listed
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
@@ -103,6 +105,7 @@ FAILS = "it installs {}, which does not exist, so that installing fails: nobody 
 OFFERED = "it installs only what catkin's template offers (programs, libraries, headers), and nothing here installs the package"
 LEFT = "it installs none of the programs that it builds, and nothing here installs the package"
 
+_MOST_NAMED = 6
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
 
 
@@ -174,5 +177,16 @@ def check(view: FileView) -> Iterator[Finding]:
         label="missing from an installed package",
         notes=(reason or meant,),
         help=f"add install(DIRECTORY {directory} {share})" if directory else f"add install(FILES {inside} {share})",
-        cause=f"{severity.word} {name} {directory}",
+        cause=f"{severity.word} {directory if directory and not reason else name}",
+        about=(package.name,),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for all launch files in directories of one name; with the packages, where several forget it in the same way."""
+    told = joined(findings)
+    packages = list(dict.fromkeys(each.about[0] for each in findings))
+    if len(packages) < 2:
+        return told
+    files = len({each.location.path for each in findings})
+    return told._replace(message=f"{len(packages)} packages do not install {files} of their launch files: {listed(packages, _MOST_NAMED)}")

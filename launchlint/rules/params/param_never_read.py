@@ -9,8 +9,8 @@ part, so that `global_costmap/inflation/radus` is near `global_costmap/inflation
 the node takes from a param. Of a node that may read more than is known, only a slip of one letter is told.
 
 The infos about one YAML file and one program are told as one, and so are those about the same param in several launch files. One finding
-are also all params of a node in one file that its code reads outside of its private namespace, and the same slip in several files, or in
-several names that differ in a number only.
+are also all params of one program, wherever they are set, that its code reads outside of its private namespace, and the same slip in
+several files, or in several names that differ in a number only.
 
 In ROS 2 a param is the node's own, and one that the node does not declare is ignored. It is told where every param that the node
 declares is known, and the node takes no others; not of what a parameter file gives to all nodes that match a pattern (`/**`).
@@ -268,7 +268,7 @@ def _cause(
     """What several findings share: the file in which all params are private that are not, the slip that was copied, the param."""
     path, default = setting.origin.place.source.path, " as default" * as_default
     if elsewhere is not None:
-        return f"{path}: {owner.program} reads others{default}"
+        return f"{owner.program} reads others{default}"  # whoever thinks so of one robot thinks so of the next
     if near is not None and inner.startswith("_"):  # as on a command line, in the whole file
         return f"{path}: {owner.program} _{default}"
     if near is not None:

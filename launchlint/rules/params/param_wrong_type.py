@@ -1,11 +1,12 @@
 """A param has a value of another type than the one its node reads.
 
-What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number
-for a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a
-list or a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as
-one, also where the file was copied, and so is the same value of the same param in several files. An empty text is an info: it is a way to
-say that the param is not set. So is a value that says the same as the default that the node falls back to: `1e-3`, a text for YAML, where
-the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and 0 for a bool of which no default is known.
+What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number for
+a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a list or
+a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as one, also
+where the file was copied, and so is the same value of the same param in several files, or one number that several params of a program
+cannot hold. An empty text is an info: it is a way to say that the param is not set. So is a value that says the same as the default that
+the node falls back to: `1e-3`, a text for YAML, where the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and
+0 for a bool of which no default is known.
 
 In ROS 2 a node takes no other type than the one it declares a param with: that is an error, and so is a value beyond the range that it
 declares, or none of those that it allows. An integer for a double is told by LL906. A placeholder that a tool replaces, `__RATE__`, is an
@@ -65,6 +66,7 @@ _TAKES = {"bool": ("bool",), "int": ("int", "double"), "double": ("double", "int
 _WORDS = {"bool": "a bool", "int": "an int", "double": "a double", "str": "a string", "list": "a list", "dict": "a mapping"}
 _CONTAINERS = ("list", "dict")
 _FILLED = "it looks like what a tool replaces before anybody launches the file"
+_ROUNDED = "is rounded"
 _SWITCHES = ("true", "false")
 _NOTHING = ("", "~", "none", "null", "nil", "off", "no", "n", "disabled", "false", "0")
 _ON = ("on", "yes", "y", "enabled", "true", "1")
@@ -125,7 +127,10 @@ def _refused(view: GraphView) -> Iterator[Finding]:
 
 
 def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:
-    """The findings about one file share a cause, also with those about a copy of it: all params in it that are wrong in the same way."""
+    """The findings about one file share a cause, also with those about a copy of it: all params in it that are wrong in the same way.
+
+    So do those of one program to which one number is given that is no whole one: it was copied from param to param.
+    """
     in_file: dict[tuple[str, str], set[str]] = {}
     for setting, finding in found:
         if setting.tag == "rosparam":
@@ -133,7 +138,8 @@ def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Find
     causes = {file: f"{', '.join(sorted(mistakes))} in a file" for file, mistakes in in_file.items() if len(mistakes) > 1}
     for setting, finding in found:
         of_file = causes.get(_file(setting, finding)) if setting.tag == "rosparam" else None
-        yield finding._replace(cause=of_file or f"{setting.tag} {finding.topic} {_mistake(setting, finding)}")
+        of_value = f"{finding.topic.partition(' ')[0]} {shown(setting.value)}" if finding.label == _ROUNDED else ""
+        yield finding._replace(cause=of_file or of_value or f"{setting.tag} {finding.topic} {_mistake(setting, finding)}")
 
 
 def _file(setting: ParameterSetting, finding: Finding) -> tuple[str, str]:
@@ -222,7 +228,7 @@ def _rounded(setting: ParameterSetting, instance: Instance, reading: Reading, *,
     return RULE.at(
         setting.origin,
         f"{instance.program} reads {reading.declared} as an int: {shown(setting.value)} becomes {_round(setting.value)}",
-        label="is rounded",
+        label=_ROUNDED,
         help="write a whole number, or let the node read a double" if own else "write a whole number",
         topic=f"{instance.program} {reading.declared}",
     )

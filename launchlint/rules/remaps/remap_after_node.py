@@ -1,6 +1,7 @@
 """A remap stands below the nodes it was meant for.
 
-Outside a node, a `<remap>` acts on the nodes that come after it in the same group or file, and on nothing above it.
+Outside a node, a `<remap>` acts on the nodes that come after it in the same group or file, and on nothing above it. All
+remaps below the same nodes are one finding.
 
 ## Why it matters
 
@@ -57,6 +58,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
                 related=((setting.before[-1], "stands above it" if count == 1 else f"the last of {count} above it"),),
                 help="put it above the nodes, or into the <node> that it is meant for",
                 fix=_fix(setting, view) if count == 1 else None,
+                cause=" ".join(map(str, setting.before[-1].key)),
             )
 
 

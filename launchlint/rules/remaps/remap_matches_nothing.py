@@ -12,6 +12,8 @@ A nodelet in no namespace has its relative names in the namespace of its manager
 nodelet does not know it), so that a remap must say that namespace, too. A remap acts on params as it does on topics: where a node has a
 topic and a param of one name, a remap moves both.
 
+No name is proposed that only ends alike where the node hears it, and would hear nobody that is known instead.
+
 All remaps of a program for which nothing better is known than that it has no such names are one finding, and so is the same remap of the
 same program in several files.
 
@@ -55,7 +57,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
+from launchlint.graph.connections import HUBS, OFFERS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, around, kind
 from launchlint.model import ROS2
 from launchlint.plural import listed
@@ -329,9 +331,11 @@ def _advice(miss: _Miss, written: str) -> _Advice | None:
     if len(spelled) > _MOST_CANDIDATES:
         return None
     own = {full: name for full, name in spelled.items() if full not in names.derived}
-    near = closest(source, own) or _same_end(source, own)
+    near = closest(source, own)
     if near is None:
-        return None
+        near = _same_end(source, own)
+        if near is None or _takes_input_away(miss, near):
+            return None
     meant = f'did you mean from="{spelled[near]}"?'
     return _done_by_another(miss, near) or _moves_param(miss, near, meant.rstrip("?")) or _Advice(meant, source=spelled[near])
 
@@ -357,6 +361,13 @@ def _moves_param(miss: _Miss, name: str, advice: str) -> _Advice | None:
         return None
     both = f"{miss.names.spelled[name]} is a param of the node, too, which a remap would move as well"
     return _Advice(f"{advice}; but {both}: call one of the two otherwise in the code, or remove this", habit="a param, too")
+
+
+def _takes_input_away(miss: _Miss, name: str) -> bool:
+    """Whether the node hears ``name`` (full), and would hear nobody that is known under the target instead."""
+    takes = {each.kind for each in miss.instance.endpoints if each.name == name and each.role not in OFFERS}
+    targets = (miss.graph.channels.get((kind_, miss.applied.target)) for kind_ in takes)
+    return bool(takes) and not any(channel is not None and channel.offers for channel in targets)
 
 
 def _same_end(source: str, spelled: Mapping[str, str]) -> str | None:
