@@ -17,6 +17,9 @@ from launchlint.rules.registry import find
 
 _SHORTEST_LINE = 40
 """Characters of a line that two people would not write alike by chance."""
+_SHORTEST_HABIT = 20
+"""Characters of one that stands in several files alike, not by chance."""
+_SEVERAL = 3
 
 
 def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
@@ -42,14 +45,25 @@ def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
 
 
 def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
-    """``groups`` of one cause each; those together whose rule says the same words of the same line: it was copied to other files."""
-    found: dict[object, list[Finding]] = {}
+    """``groups`` of one cause each; those together whose rule says the same words of the same line: it was copied to other files.
+
+    A short line that only two have may be chance; of one in three files somebody made a habit.
+    """
+    found: dict[object, list[list[Finding]]] = {}
     for group in groups:
         first = spokesman(group)
         line = first.location.text.strip()
-        same = (first.rule, first.severity, first.message, first.help, line) if len(line) >= _SHORTEST_LINE else id(group)
-        found.setdefault(same, []).extend(group)
-    return list(found.values())
+        copied = len(line) >= _SHORTEST_LINE
+        habit = not copied and len(line) >= _SHORTEST_HABIT and all(each.message == first.message for each in group)
+        same = (first.rule, first.severity, first.message, first.help, line, copied) if copied or habit else id(group)
+        found.setdefault(same, []).append(group)
+    result: list[list[Finding]] = []
+    for key, copies in found.items():
+        if len(copies) >= _SEVERAL or (isinstance(key, tuple) and key[-1]):
+            result.append([finding for group in copies for finding in group])
+        else:
+            result.extend(copies)
+    return result
 
 
 def _of_copies(findings: Iterable[Finding]) -> Iterator[Finding]:

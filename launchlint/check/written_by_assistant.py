@@ -1,7 +1,7 @@
-"""Switches that MoveIt's Setup Assistant writes into every package it makes, and that nobody gives: files which only they lead to.
+"""What MoveIt's Setup Assistant writes into every package it makes: switches that nobody gives, and what is set twice.
 
 The assistant keeps what it was told in a file ``.setup_assistant`` at the top of the package. Its launch files offer choices (a fake
-execution, a database) whether or not the files behind them were written, too.
+execution, a database) whether or not the files behind them were written, too; and some set a param twice, which it would write again.
 """
 
 from __future__ import annotations
@@ -15,17 +15,31 @@ from launchlint.finding import Finding, Severity
 from launchlint.workspace.looking import is_file
 
 NOTE = "MoveIt's Setup Assistant writes this switch into every package, and no launch file here gives {}"
+AGAIN = "MoveIt's Setup Assistant writes this file so, and would again"
 _NAMED = frozenset(("LL401", "LL411", "LL502"))
+_DEMOS = frozenset(("demo.launch", "demo_gazebo.launch"))
+"""The launch files of the assistant's that set params of nodes."""
 
 
 def judged_by_assistant(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
-    """``findings``, those as information that only a switch of the assistant's shows which nothing here gives."""
+    """``findings``, those as information that only a switch of the assistant's shows which nothing here gives, or that it made itself."""
     for finding in findings:
         if finding.severity is Severity.ERROR and finding.rule in _NAMED and finding.key not in known.by_default and finding.arguments:
             entry, uses = known.file(finding.entry), known.packages.arg_uses()
-            package = known.packages.package_of(known.file(finding.location.path))
             switches = all(value.lower() in BOOLEANS and not uses.is_passed(entry, name) for name, value in finding.arguments)
-            if switches and package is not None and is_file(os.path.join(package.directory, ".setup_assistant")):
+            if switches and _is_made(finding, known):
                 given = " ".join(f"{name}:={value}" for name, value in finding.arguments)
                 finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(given)))
+        elif finding.rule == "LL504" and finding.severity is Severity.WARNING and _is_demo(finding) and _is_made(finding, known):
+            finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, AGAIN), cause=f"{finding.cause}; {AGAIN}")
         yield finding
+
+
+def _is_demo(finding: Finding) -> bool:
+    return finding.location.path.rpartition("/")[2] in _DEMOS
+
+
+def _is_made(finding: Finding, known: Known) -> bool:
+    """Whether the assistant made the package that holds the file of ``finding``."""
+    package = known.packages.package_of(known.file(finding.location.path))
+    return package is not None and is_file(os.path.join(package.directory, ".setup_assistant"))

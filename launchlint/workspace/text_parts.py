@@ -27,6 +27,10 @@ _SEVERAL = late(rf"(?<![A-Za-z]){_NAMES}[\s`'\"*]{{0,9}}(?:[,/&+|]|and|or)[\s`'\
 # All of them are plain words, too: one counts in a line that is about ROS, or as all that stands in a line or cell.
 _OF_ROS = late(r"ros|distro|branch|version|docker|image|ubuntu|tree/|ridley|hawksbill|jalisco")
 _AROUND = " \t\r#>*|-[](){}'\",:_`"
+# Or written as a name, after a word before which somebody says for what: "runs on Dashing".
+_PROPER = late(
+    r"\b(?:for|on|under|with) (Ardent|Bouncy|Crystal|Dashing|Eloquent|Foxy|Galactic|Humble|Iron|Jazzy|Kilted|Rolling)(?![A-Za-z])"
+)
 _DOCUMENTS = late(r"\b(?:docs|index|design|wiki|discourse|answers)\.ros\.org/\S*")
 _READ = late(r"""\$\(var\s+['"]?([^\s()'"$]+)|\bLaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']([^"'$]+)""")
 
@@ -96,7 +100,7 @@ def _distributions(text: str) -> Sequence[str]:
     small = text.lower()
     if not _DISTRIBUTION.search(small):
         return ()
-    found: set[str] = set()
+    found = {name.lower() for name in _PROPER.findall(text)}
     for line in small.split("\n"):
         if _DISTRIBUTION.search(line):
             line = _DOCUMENTS.sub("", line)[:_LONGEST_LINE]

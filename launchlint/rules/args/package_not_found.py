@@ -54,12 +54,12 @@ roslaunch refuses the file.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import PackageNotFound
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.first_of_file import all_but_first
-from launchlint.rules.judging.missing_package import cause, judge
+from launchlint.rules.judging.missing_package import cause, judge, told_of_all
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView, of_ros2
 
@@ -97,5 +97,11 @@ def tell(problem: PackageNotFound | InvalidPackageName, view: LaunchView) -> Ite
         notes=(f"roslaunch stops{' where it is missing' if unsure else ''} with: Resource not found: {name}", judgement.why),
         help=judgement.help,
         topic=name,
-        shared_cause=cause(name, severity),
+        shared_cause=cause(name, severity, judgement),
+        about=(name,),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for all packages that are missing for one reason."""
+    return told_of_all(findings)

@@ -25,6 +25,7 @@ text in the sources of such a node has one of the two names.
 Where a node is in another namespace than the nodes it was meant for, or lacks its remaps, so that several of its names are left alone in
 the same way, that is told once, with all of them; services and actions and what is published in vain (LL613, LL614) among them.
 
+It is an info, too, where a remap leads the node below the name of a program of the workspace that is not started here.
 Where every file that shows it is included by another one of the workspace that does not, it is an info: what a part lacks when it is
 started alone, the whole may have.
 

@@ -18,6 +18,7 @@ from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
+from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.judging.part_of_launch import comes_from_around
 from launchlint.rules.judging.said_elsewhere import says
 from launchlint.rules.judging.same_definition import STANDARD, is_known, stands_for
@@ -159,6 +160,8 @@ class LooseEnds:
             level = Severity.INFO
         if shown is None and (self._signs.is_led_in_vain(other, end) or self._signs.is_led_in_vain(end, other)):
             level = level and Severity.INFO
+        if level is Severity.WARNING and end.applied and not offers and self._is_of_own_program(end.name, other.name):
+            level = Severity.INFO
         if level is Severity.WARNING and shown is None and how in ("", WORDS):  # a program that is not started here may be at the other end
             elsewhere = says(last_part(end), self._view.packages, offers=not offers, besides=_sources(other))
             level = Severity.INFO if elsewhere else level
@@ -266,6 +269,11 @@ class LooseEnds:
         """Whether ``name``, and not ``other``, lies below the name of a known program that is not started here: that gives it."""
         apart = set(name.split("/")[1:-1]) - set(other.split("/"))
         return any(each not in self._started and is_in_library(each, self.graph.launch.dialect) for each in apart)
+
+    def _is_of_own_program(self, name: str, other: str) -> bool:
+        """Whether ``name``, and not ``other``, lies below that of a program of the workspace that is not started here: it was led there."""
+        apart = set(name.split("/")[1:-1]) - set(other.split("/"))
+        return any(each not in self._started and contents(self._view.packages).having(each) for each in apart)
 
     def _in_doubt(self, end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
         """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""

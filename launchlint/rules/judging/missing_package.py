@@ -10,9 +10,11 @@ import posixpath
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from launchlint.finding import Severity
+from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.library.shipped import Bundled, is_in_library
+from launchlint.plural import listed
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead, programs_asked
 from launchlint.rules.judging.template import is_among_templates
 from launchlint.spelling import closest, distance, folded, one_slip
@@ -24,6 +26,7 @@ from launchlint.workspace.place import Hidden
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.source_lists import GITMODULES
 
+_MOST_NAMED = 6
 _SHORT = 2
 """Letters of a word that another letter makes another word of: abbreviations."""
 SHORTEST_SLIP = 6
@@ -44,7 +47,7 @@ def is_placeholder(name: str) -> bool:
 class Judgement(NamedTuple):
     """How bad it is that a package is not here, ``why`` that can be said (one line), the ``help``, and which package it proposes.
 
-    ``beginning`` is a package here with whose name the missing one begins.
+    ``beginning`` is a package here with whose name the missing one begins; ``reason`` is one that holds for other missing packages, too.
     """
 
     severity: Severity
@@ -52,6 +55,7 @@ class Judgement(NamedTuple):
     help: str
     meant: str = ""
     beginning: str = ""
+    reason: str = ""
 
 
 def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | None:
@@ -129,9 +133,19 @@ def _starts_one_of(meant: str, name: str, text: str) -> bool:
     return not programs_asked(name, text).isdisjoint(known.get("executables", ()))
 
 
-def cause(name: str, severity: Severity) -> str:
-    """What LL210 and LL303 tell of together: that package ``name`` is not here, over all files, and not who needs it."""
-    return f"no package {name} {severity.word}"
+def cause(name: str, severity: Severity, judgement: Judgement) -> str:
+    """What LL210 and LL303 tell of together: that package ``name`` is not here, over all files, and not who needs it.
+
+    And all packages that are missing for one reason.
+    """
+    return f"no package {judgement.reason or name} {severity.word}"
+
+
+def told_of_all(findings: Sequence[Finding]) -> Finding:
+    """One for all, with the names of the packages (:attr:`Finding.about`), where they are several."""
+    told = joined(findings)
+    named = list(dict.fromkeys(each.about[0] for each in findings if each.about))
+    return told if len(named) < 2 else told._replace(message=f"{len(named)} packages are not known: {listed(named, _MOST_NAMED)}")
 
 
 def _answers(packages: Packages) -> dict[tuple[str, str], Judgement | None]:
@@ -160,7 +174,8 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
             if is_among_templates(inner):
                 return Judgement(Severity.INFO, f"{why}; as a template it becomes a package where it is copied to", "")
             severity = Severity.ERROR if packages.complete else Severity.WARNING
-            return Judgement(severity, why, f"move {inner} out of {outer.name}, or take its files from the package {outer.name}")
+            advice = f"move {inner} out of {outer.name}, or take its files from the package {outer.name}"
+            return Judgement(severity, why, advice, reason=f"below {outer.name}")
     declared = packages.once(_declared_here) | _declared([] if home is None else [home])
     if packages.complete:
         here = packages.names()

@@ -6,8 +6,10 @@ import posixpath
 from collections.abc import Sequence
 
 from launchlint.finding import Finding
+from launchlint.late import late
 from launchlint.workspace.looking import exists
 
+_NUMBER = late(r"[0-9]+")
 _MOVED = "moved "
 _LACKING = "lacking "
 COPIES = "copies "
@@ -25,7 +27,8 @@ _OF_MANY = {
 def moved(path: str, meant: str) -> str:
     """The cause of all that is looked for where ``path`` should be and lies elsewhere, as ``meant`` does; else empty.
 
-    It is the directory; or, where a directory on the way there is left out (``nav/x.launch`` for ``launch/nav/x.launch``), that one.
+    It is the directory, or all whose names differ in a number only; or, where a directory on the way there is left out (``nav/x.launch``
+    for ``launch/nav/x.launch``), that one.
     """
     directory, name = posixpath.split(posixpath.normpath(path))
     right, other = posixpath.split(meant)
@@ -34,7 +37,14 @@ def moved(path: str, meant: str) -> str:
     there, looked_for = right.split("/"), directory.split("/")
     same = next((at for at, (one, two) in enumerate(zip(reversed(there), reversed(looked_for), strict=False)) if one != two), 0)
     left_out = "/".join(there[1 : len(there) - same])
-    return f"{_MOVED}{'/'.join(looked_for[: len(looked_for) - same])} {left_out}" if same and left_out else f"{_MOVED}{directory}"
+    where = f"{'/'.join(looked_for[: len(looked_for) - same])} {left_out}" if same and left_out else _without_number(directory)
+    return f"{_MOVED}{where}"
+
+
+def _without_number(directory: str) -> str:
+    """``directory`` for all of its kind, as each of several robots has one: ``config/robot_#``."""
+    outer, name = posixpath.split(directory)
+    return posixpath.join(outer, _NUMBER.sub("#", name))
 
 
 def lacking(path: str) -> str:
@@ -70,4 +80,5 @@ def same_directory(one: str, other: str) -> bool:
     directory, outermost = one.removeprefix(_MOVED), other.removeprefix(_MISSING)
     if not one.startswith(_MOVED) or not other.startswith(_MISSING):
         return False
-    return f"{directory}/".startswith(f"{outermost}/") and not exists(outermost)
+    below = f"{directory}/".startswith(f"{outermost}/") or directory == _without_number(outermost)
+    return below and not exists(outermost)

@@ -52,7 +52,8 @@ def package(problem: PackageNotFound | NodePackageMissing | InvalidPackageName, 
         notes=(f"ros2 launch stops{' where it is missing' if unsure else ''} with: package '{name}' not found", judgement.why),
         help=judgement.help,
         topic=name,
-        shared_cause=cause(name, severity),
+        shared_cause=cause(name, severity, judgement),
+        about=(name,),
     )
 
 

@@ -53,12 +53,12 @@ roslaunch loads such a file without a word and fails only when it starts the nod
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import PackageNotFound
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.first_of_file import all_but_first
-from launchlint.rules.judging.missing_package import cause, judge
+from launchlint.rules.judging.missing_package import cause, judge, told_of_all
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Origin, Place
@@ -115,7 +115,8 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             label="not found",
             notes=tuple(notes),
             help=judgement.help,
-            shared_cause=cause(name, severity),
+            shared_cause=cause(name, severity, judgement),
+            about=(name,),
         )
 
 
@@ -128,3 +129,8 @@ def tell(problem: NodePackageMissing, view: LaunchView) -> Iterator[Finding]:
 
 def _place(node: Node) -> Place:
     return node.places.get("package", node.origin.place)
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for all packages that are missing for one reason."""
+    return told_of_all(findings)

@@ -185,7 +185,7 @@ def check(view: FileView) -> Iterator[Finding]:
 def together(findings: Sequence[Finding]) -> Finding:
     """One for all launch files in directories of one name; with the packages, where several forget it in the same way."""
     told = joined(findings)
-    packages = list(dict.fromkeys(each.about[0] for each in findings))
+    packages = list(dict.fromkeys(each.about[0] for each in findings if each.about))
     if len(packages) < 2:
         return told
     files = len({each.location.path for each in findings})

@@ -159,6 +159,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         if choice is not None
         else _advice(problem, near, view),
         shared_cause=left_over_in(problem.file, view)
+        or (f"relative in {problem.place.source.path}" if path and problem.relative and severity is Severity.WARNING else "")
         or (moved(problem.file, near) if severity is None and near is not None and missing else "")
         or (lacking(problem.file) if look and severity is None and near is None else "")
         or (cause_of(problem.file, maker) if look and path and not placeholder else ""),

@@ -14,7 +14,8 @@ topic and a param of one name, a remap moves both.
 
 No name is proposed that only ends alike where the node hears it, and would hear nobody that is known instead.
 
-All remaps of a program for which nothing better is known than that it has no such names are one finding, and so is the same remap of the
+All remaps of a program for which nothing better is known than that it has no such names are one finding, and so are all below one name in
+a file, and the same remap of the
 same program in several files.
 
 In ROS 2 a remap acts on topics and services; that of a global name which the node has in a namespace is told by LL948.
@@ -199,12 +200,15 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
         help="remove it, or write the name that the node's code uses" if advice is None else advice.text,
         topic=topic,
         fix=None if topic or advice is None else _fix(origin, advice, view),
-        cause=_cause(instance, severity, written, advice) if len(misses) == 1 else "",
+        cause=_cause(origin, instance, severity, written, advice) if len(misses) == 1 else "",
     )
 
 
-def _cause(instance: Instance, severity: Severity, written: str, advice: _Advice | None) -> str:
-    """What holds for several remaps of one program, or for one of them in several files."""
+def _cause(origin: Origin, instance: Instance, severity: Severity, written: str, advice: _Advice | None) -> str:
+    """What holds for several remaps of one program, or for one of them in several files, or for all below one name in a file."""
+    below = written.rpartition("/")[0]
+    if kind(written) == "relative" and below and severity is Severity.WARNING:
+        return f"{instance.program} {severity.word} {origin.place.source.path} below {below}"
     reason = "other names" if advice is None else advice.habit or ("in vain" if advice.remove else f"{written} {advice.text}")
     return f"{instance.program} {severity.word} {reason}"
 
