@@ -299,6 +299,14 @@ def _is_instance(run: Expressions, given: list[Value], keywords: dict[str, Value
     return MISSING if answer is None else answer
 
 
+_ABSTRACT = frozenset(
+    f"{module}.{name}"
+    for module in ("typing", "collections.abc")
+    for name in ("Mapping", "MutableMapping", "Dict", "Collection", "Container", "Iterable", "Sized")
+)
+"""Classes that every dict is one of."""
+
+
 def instance_of(value: Value, type_: Value) -> bool | None:
     """``isinstance(value, type_)``; None where that is not known."""
     if isinstance(type_, Seq):
@@ -329,7 +337,9 @@ def instance_of(value: Value, type_: Value) -> bool | None:
             value.kind.replace("listing", "list") == word if word in _KINDS else (False if builtin or word.startswith("launch") else None)
         )
     if isinstance(value, Map):
-        return word in ("dict", "collections.OrderedDict") if word != "collections.OrderedDict" else None
+        if not builtin:
+            return True if word in _ABSTRACT else None
+        return word == "dict"
     if isinstance(value, (Instance, Handle, Function)) and word in (*_KINDS, *_TYPES, "dict") and builtin:
         return False if not isinstance(value, Instance) or all(isinstance(each, Class) for each in value.type.order) else None
     return None

@@ -221,6 +221,9 @@ class _Reader:
             self.facts.made.note(self.scope, command, self._file_shown)
         if name in RUNNING and runs_another_build(self.scope.with_gaps(command.arguments)):
             self._generated(name, [None])
+        if self._ament and name in self.macros and _TARGET.fullmatch(name):
+            self._call(name, command, depth)  # its own add_…_executable says what else it does
+            return
         if self._ament and ament_command(self.facts, self.scope, name, arguments):
             return
         if _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):

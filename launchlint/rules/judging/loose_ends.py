@@ -16,6 +16,7 @@ from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instan
 from launchlint.graph.plausible import Possible
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
+from launchlint.model import ROS2
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.judging.package_contents import contents
@@ -23,7 +24,7 @@ from launchlint.rules.judging.part_of_launch import comes_from_around
 from launchlint.rules.judging.said_elsewhere import says
 from launchlint.rules.judging.same_definition import STANDARD, is_known, stands_for
 from launchlint.rules.judging.signs import Signs
-from launchlint.rules.view import GraphView
+from launchlint.rules.view import GraphView, tried
 
 _MOST_CANDIDATES = 40
 """Names of one type that a loose end is compared with."""
@@ -163,8 +164,10 @@ class LooseEnds:
         if level is Severity.WARNING and end.applied and not offers and self._is_of_own_program(end.name, other.name):
             level = Severity.INFO
         if level is Severity.WARNING and shown is None and how in ("", WORDS):  # a program that is not started here may be at the other end
-            elsewhere = says(last_part(end), self._view.packages, offers=not offers, besides=_sources(other))
+            elsewhere = says(last_part(end), self._view.packages, offers=not offers, besides=_sources(other)) or self._is_of_others(end)
             level = Severity.INFO if elsewhere else level
+        if level is Severity.WARNING and shown is not None and doubts and tried(self._view.launch):
+            level = Severity.INFO  # not as it is started by default, and then it may be another node's
         if level is None or (level is Severity.INFO and end.declaration.when == "subscriber"):
             return None
         partner = self.owners[id(other)]
@@ -174,6 +177,13 @@ class LooseEnds:
             end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level, doubts
         )
         return found if shown is None else found._replace(sign=shown[2])
+
+    def _is_of_others(self, end: Endpoint) -> bool:
+        """Whether in ROS 2 the code says a global name below the name of a package of which nothing is started here: it is from there."""
+        first = end.declared.split("/")[1] if end.declared.count("/") > 1 and end.declared.startswith("/") else ""
+        if not first or self._view.dialect.name != ROS2 or not self._view.packages.colcon.has(first):
+            return False
+        return all(each.node.package != first for each in self._view.graph.instances)
 
     def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> tuple[Channel, list[Endpoint], str] | None:
         """The other end that more than the names shows to be meant, where there is just one, and what shows it."""

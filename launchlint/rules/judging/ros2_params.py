@@ -14,6 +14,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 from launchlint.spelling import closest
+from launchlint.workspace.ros2_distributions import AGE, DISTRIBUTIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,7 +55,10 @@ _MOST_NAMES = 8
 
 
 class Given(NamedTuple):
-    """A value that a node is given for a param that it declares. ``type`` is that of the value, in the words of rclcpp."""
+    """A value that a node is given for a param that it declares. ``type`` is that of the value, in the words of rclcpp.
+
+    ``published``: how it is declared is known of a repository of others, of one distribution.
+    """
 
     instance: Instance
     name: str
@@ -62,6 +66,7 @@ class Given(NamedTuple):
     value: Any
     wanted: tuple[Declared, ...]
     origin: Origin
+    published: bool = False
 
 
 def given(view: GraphView) -> Iterator[Given]:
@@ -81,7 +86,8 @@ def _given(instance: Instance, library: Library) -> tuple[Given, ...]:
         sure = all(each.certain for each in readings) and all(each.declared and each.type and not each.dynamic for each in wanted)
         if type_ in TYPES and sure and not isinstance(value, Unknown):
             value = list(value) if isinstance(value, tuple) else value
-            found.append(Given(instance, name, TYPES[type_], value, wanted, place_of(instance, name)))
+            published = any("@" in fact.get("at", "") for each in readings for fact in each.declaration.evidence)
+            found.append(Given(instance, name, TYPES[type_], value, wanted, place_of(instance, name), published))
     return tuple(found)
 
 
@@ -98,6 +104,11 @@ def _declared(instance: Instance) -> Mapping[str, list[Reading]]:
         if each.name.startswith(start):
             found.setdefault(each.name[len(start) :], []).append(each)
     return found
+
+
+def is_of_old(each: Given, view: GraphView) -> bool:
+    """Whether the repository is for a distribution that is older than those of which programs are known: there it may be another type."""
+    return each.published and any(AGE[name] < AGE[DISTRIBUTIONS[0]] for name in view.launch.named)
 
 
 def is_integer_for_double(each: Given) -> bool:

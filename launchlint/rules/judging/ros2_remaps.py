@@ -96,6 +96,7 @@ def _of_absolute(rule: Rule, miss: Miss) -> Finding:
     return rule.at(
         miss.origin,
         f"the remap of {applied.rule.source} does nothing: {instance.name} says {miss.meant}, which is {real}",
+        severity=Severity.INFO if applied.target == real else None,
         label="no such name",
         notes=(f"{applied.rule.source} is a global name: no namespace is put before it",),
         help=f"remap {_spelled(miss.meant)}",

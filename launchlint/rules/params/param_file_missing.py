@@ -9,7 +9,8 @@ of `<set_parameters_from_file>`. The path is checked as it is after substitution
 roslaunch refuses the launch file, and with it every launch file that includes it. `ros2 launch` only warns where a node has the file, and
 starts it without its params: a warning here, too. It is also a warning where the file may well be there on the robot: a path outside of
 all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its own files (`/etc`, `/opt`,
-`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a relative path; where the path is
+`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a relative path; where, in ROS 2, a
+relative path leads to a file of the workspace from a directory around it (`src/robot/config/arm.yaml`); where the path is
 made from an environment variable, whose value here says little; and where the file is made: by a command of `CMakeLists.txt`, from a
 template that lies beside it, by a node that writes it, also one of another launch file of the package, or by what `.gitignore` keeps out
 of the repository; where it lies in a git submodule that is not checked out, or in a directory with nothing but a README; where only the
@@ -65,8 +66,10 @@ from launchlint.rules.judging.template import is_path_to_fill_in, is_template
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.rules.wording import words_at
+from launchlint.workspace.looking import is_file
 
 RULE = Rule("LL502", "param-file-missing", Severity.ERROR, roslaunch="refuses")
+_DEEPEST = 12
 SENTINELS = ("true", "false", "none")
 """What people write as the default of an arg for a path to say that there is none; the condition in front of it hangs on another arg."""
 
@@ -115,6 +118,9 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     elif path and problem.relative and "(" not in path and has_arg(problem.place.text):
         severity = Severity.INFO
         notes.append("an arg says which file, so that this one may stand for any")
+    elif path and problem.relative and (there := _below_workspace(path, view)):
+        severity = Severity.INFO
+        notes.append(f"it is there as {there}, for who starts it from a directory around that")
     elif path and (problem.relative or problem.elsewhere) and not left_over_in(problem.file, view):
         severity = Severity.WARNING
     left = leads_out(problem.file, problem.place, view.packages) if missing and view.dialect.name == ROS2 else ""
@@ -187,6 +193,15 @@ def _may_be_installed(file: str, view: LaunchView) -> str:
     from launchlint.workspace.ament.shares import may_be_installed
 
     return may_be_installed(view.packages, file)
+
+
+def _below_workspace(path: str, view: LaunchView) -> str:
+    """The file that a relative path with directories means in ROS 2, where it counts from a directory around a workspace; empty if none."""
+    parts = posixpath.normpath(path).split("/")
+    if view.dialect.name == ROS1 or parts[0] == ".." or not 2 < len(parts) <= _DEEPEST:
+        return ""
+    ends = ["/".join(parts[at:]) for at in range(1, len(parts) - 1)]
+    return next((end for end in ends for place in view.packages.workspaces if is_file(posixpath.join(place, end))), "")
 
 
 def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:

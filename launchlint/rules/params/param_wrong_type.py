@@ -49,7 +49,7 @@ from launchlint.graph.connections import Instance, Reading
 from launchlint.late import late
 from launchlint.model import ROS2, Launch, ParameterSetting
 from launchlint.rules.judging.param_values import is_certain, is_known, shown
-from launchlint.rules.judging.ros2_params import WORDS, beyond, fate, given, is_integer_for_double, is_refused
+from launchlint.rules.judging.ros2_params import WORDS, beyond, fate, given, is_integer_for_double, is_of_old, is_refused
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -117,7 +117,7 @@ def _refused(view: GraphView) -> Iterator[Finding]:
         yield RULE.at(
             each.origin,
             said,
-            severity=Severity.INFO if template else Severity.ERROR,
+            severity=Severity.INFO if template or is_of_old(each, view) else Severity.ERROR,
             label=label,
             notes=(_FILLED if template else fate(each.instance),),
             help=advice,

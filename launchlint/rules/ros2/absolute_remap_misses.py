@@ -2,7 +2,8 @@
 
 What it does: where all names of a node are known, it looks for remaps whose source is a global name (`/scan`) that the node does not have,
 while its code says a relative or private name (`scan`, `~/scan`) that ends so, and that its namespace or its own name makes another one of.
-Nothing is said where the remap acts on some other node that it reaches. Remaps that match no name in any other way are told by LL601.
+Nothing is said where the remap acts on some other node that it reaches. Remaps that match no name in any other way are told by LL601. It
+is an info where the node has the name that the remap leads to anyhow.
 
 ## Why it matters
 

@@ -2,7 +2,8 @@
 
 What it does: where the sources or a library say for certain that a node declares a param as a double, or as a list of doubles, it looks
 at the value that the launch file or a parameter file gives. `1` is an integer, `1.0` a double. Values of one file that are wrong in the
-same way, for the same program, are told as one. Values of other types are told by LL508.
+same way, for the same program, are told as one. Values of other types are told by LL508. It is an info for a program of others where the
+repository names a distribution older than Humble: such a program may have declared another type then.
 
 ## Why it matters
 
@@ -56,7 +57,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.judging.ros2_params import WORDS, fate, given, is_integer_for_double
+from launchlint.rules.judging.ros2_params import WORDS, fate, given, is_integer_for_double, is_of_old
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -73,6 +74,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             yield RULE.at(
                 each.origin,
                 f"{each.instance.name} declares {each.name} as {WORDS[each.wanted[0].type]}, and is given {said}",
+                severity=Severity.INFO if is_of_old(each, view) else None,
                 label=WORDS[each.type],
                 notes=(fate(each.instance),),
                 help=f"write {_with_points(each.value)}",
