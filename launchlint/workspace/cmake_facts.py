@@ -221,12 +221,11 @@ class _Reader:
             self.facts.made.note(self.scope, command, self._file_shown)
         if name in RUNNING and runs_another_build(self.scope.with_gaps(command.arguments)):
             self._generated(name, [None])
-        if self._ament and name in self.macros and _TARGET.fullmatch(name):
-            self._call(name, command, depth)  # its own add_…_executable says what else it does
-            return
         if self._ament and ament_command(self.facts, self.scope, name, arguments):
             return
-        if _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
+        if name in self.macros and (self._ament or not (_TARGET.fullmatch(name) or _LIBRARY.fullmatch(name))):
+            self._call(name, command, depth)  # also an add_…_executable of its own, which says what else it does
+        elif _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]):
                 self._executable(first, name)
                 self._target(first, auto_sources(self.scope, name, command), is_library=False)
@@ -279,8 +278,6 @@ class _Reader:
             self._subdirectory(first, depth)
         elif name == "include":
             self._include(first, depth)
-        elif name in self.macros:
-            self._call(name, command, depth)
         elif name in HARMLESS or name.startswith(HARMLESS_PREFIXES) or _TOOLING.search(name):
             return
         elif self.depended:

@@ -158,6 +158,14 @@ def choices(value: Value) -> tuple[tuple[str, Value], ...]:
     return value.choices if isinstance(value, Either) else (("", value),)
 
 
+_PLAIN = frozenset(("rclcpp::QoS", "rmw_qos_policy_t"))
+"""Objects that are no more than values: beside one of them what is not known is another one, and not the same that was not followed."""
+
+
+def _is_plain(value: Value) -> bool:
+    return isinstance(value, Thing) and value.type.name in _PLAIN
+
+
 def either(found: list[tuple[str, Value]]) -> Value:
     """One of several values; the same value twice is one, and what is no value gives way to one."""
     flat: list[tuple[str, Value]] = []
@@ -174,7 +182,7 @@ def either(found: list[tuple[str, Value]]) -> Value:
         known: dict[Value, str] = {
             value: condition for value, condition in distinct.items() if not isinstance(value, (Unknown, Null)) and value != Text("")
         }
-        if known and all(isinstance(value, (Thing, Handle, Callable, Closure)) for value in known):
+        if known and all(isinstance(value, (Thing, Handle, Callable, Closure)) and not _is_plain(value) for value in known):
             distinct = known
         elif all(isinstance(value, Items) for value in distinct):
             longest = max((value for value in distinct if isinstance(value, Items)), key=lambda value: len(value.items))

@@ -466,6 +466,30 @@ def test_a_lifecycle_node_and_component(tmp_path: Path) -> None:
     assert variant["publishers"][0]["exists"] == "configured"
 
 
+def test_a_profile_that_may_be_another_one_is_not_known(tmp_path: Path) -> None:
+    found = """
+rmw_qos_profile_t like(rclcpp::Node * node, const std::string & topic) {
+  auto info = node->get_publishers_info_by_topic(topic);
+  if (info.size()) {
+    auto profile = info[0].qos_profile().get_rmw_qos_profile();
+    profile.depth = 3;
+    return profile;
+  }
+  return rmw_qos_profile_sensor_data;
+}
+class Like : public rclcpp::Node {
+ public:
+  Like() : Node("like") {
+    image_transport::create_publisher(this, "a", like(this, "b"));
+    create_publisher<std_msgs::msg::String>("c", rclcpp::SensorDataQoS());
+  }
+};
+int main() { rclcpp::spin(std::make_shared<Like>()); }
+"""
+    facts, _, _ = follow(tmp_path, f"{HEAD}{found}")
+    assert [(each.name, each.qos is not None and each.qos.reliability) for each in facts] == [("a", False), ("c", "best_effort")]
+
+
 @pytest.mark.parametrize("call", ["configure();", "this->activate();", "trigger_transition(1);"])
 def test_a_lifecycle_node_that_its_own_program_manages(call: str, tmp_path: Path) -> None:
     source = LIFECYCLE.replace('declare_parameter("rate", 1.0);', call)
