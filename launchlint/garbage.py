@@ -29,7 +29,6 @@ def seldom_looked_for() -> Iterator[None]:
 def left_to_quiet_moments() -> Iterator[None]:
     """Leave it to :func:`look`: somebody waits for what is worked out between two of them. What there is now is never looked through."""
     before = gc.get_threshold()
-    gc.collect()
     gc.freeze()
     gc.set_threshold(MOST_OBJECTS, *before[1:])
     try:
