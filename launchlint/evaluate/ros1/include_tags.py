@@ -200,7 +200,7 @@ def _check_arguments(
             fixed = ((block.refused_overrides[name], "its value is fixed here"),)
             file.record(ArgOverrideRefused(origin=Origin(place), refused=True, related=fixed, name=name, by_include=True, file=path))
         elif name not in block.declared and not block.assumed_declarations:
-            lost = True
+            lost = lost or not pass_all  # roslaunch goes on with what it has, and what follows is no guess
             kind = PassAllHidesTypo if pass_all else IncludeUndeclaredArg
             file.record(
                 kind(origin=Origin(place), refused=not pass_all, name=name, file=path, known=known, target=target, undeclared=undeclared)

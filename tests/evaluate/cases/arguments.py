@@ -125,6 +125,9 @@ ARGUMENTS = {
     "pass_all_args and a new arg without a value": passing('<arg name="a"/>', '<arg name="a"/>', ALL, "", "", "missing-attribute"),
     "pass_all_args and an own arg twice": passing('<arg name="a"/>' + SHOW, '<arg name="a" value="1"/><arg name="a" value="2"/>', ALL),
     "pass_all_args checks no undeclared ones": passing("", '<arg name="typo" value="1"/>', ALL),
+    "pass_all_args checks no undeclared ones, but names": passing(
+        '<node pkg="p" type="t" name="a"/><node pkg="p" type="t" name="a"/>', '<arg name="typo" value="1"/>', ALL, "", "", "duplicate-node"
+    ),
     "pass_all_args and a value there": passing(
         '<arg name="a" value="3"/>' + SHOW, '<arg name="a" value="2"/>', ALL, '<arg name="a" default="1"/>'
     ),
