@@ -16,10 +16,13 @@ PIECES = (
     *("find ", "find(", "pkg='", "humble ", "humble,", "for ", "Publisher", "Publisher<", "advertise<a<", "Publisher(a, ", "subscribe   "),
     *("lifecycle set ", "$(var ", "LaunchConfiguration( ", "DeclareLaunchArgument( ", "docs.ros.org/", "out", "save_", "-", "_", "`|"),
 )
+HEADS = ("", "[", '"', "'", "<arg name='", "find(", "Publisher<", "value='")
+"""What stands once before them."""
 SECONDS = 60
 """Of processor for all pieces; each takes some hundredths."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", PARTS)
 def test_hostile_texts(part: str) -> None:
     child = os.fork()
@@ -27,8 +30,9 @@ def test_hostile_texts(part: str) -> None:
         resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
         status = 1
         try:
-            for piece in PIECES:
-                PARTS[part]((BEGINNING + piece * LARGEST)[:LARGEST])
+            for head in HEADS:
+                for piece in PIECES:
+                    PARTS[part]((BEGINNING + head + piece * LARGEST)[:LARGEST])
             status = 0
         finally:
             os._exit(status)
