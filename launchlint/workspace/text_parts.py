@@ -47,9 +47,7 @@ _MANAGES = late(
 _IN_CODE = late(r"[cC]hange_?[sS]tate|TRANSITION_|trigger_(?:transition|configure|activate)")
 _MANAGES_ANY = late(r"lifecycle\s+(?:set|nodes)\s+(?:[$\"'{]|[/\w]*\$)")
 """Where the node is a variable of a script."""
-_LISTED = late(
-    r"""\[([\s"'/\w,]{1,4000})\]|(?m:^[ \t]*-[ \t]+["']?([/\w]+)["']?[ \t\r]*$)|(?:value|args)=["']([^"'<>]{1,600})"""
-)
+_LISTED = late(r"""\[([\s"'/\w,]{1,4000})\]|(?m:^[ \t]*-[ \t]+["']?([/\w]+)["']?[ \t\r]*$)|(?:value|args)=["']([^"'<>]{1,600})""")
 _QUOTED = late(r"""["'](?:[/\w]*/)?(\w{2,80})(?:/change_state)?["']""")
 _NODE_NAME = late(r"[A-Za-z_]\w{1,80}")
 
