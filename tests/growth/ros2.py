@@ -123,6 +123,7 @@ CONSTRUCTS = (
         f'<load_composable_node target="m">{COMPONENT}</load_composable_node>',
         before='<node_container pkg="demo" exec="talk" name="m" namespace=""/>',
     ),
+    _repeated("lifecycle nodes", '<node pkg="nav2_map_server" exec="map_server" name="m{}"/>'),
     _repeated("timers", f'<timer period="1.0">{EACH}</timer>'),
     _repeated("processes", '<executable cmd="ls {}"/>'),
     _repeated("packages nobody has", '<node pkg="demo{}" exec="talk" name="n{}"/>'),

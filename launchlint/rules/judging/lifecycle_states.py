@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 from launchlint.graph.connections import Instance
 from launchlint.model import Executable, Launch, UnknownText
@@ -41,31 +42,48 @@ def full_name(name: str, manager: Instance) -> str:
     return name if name.startswith("/") else f"{manager.namer.namespace.rstrip('/')}/{name}"
 
 
+class _Takers(NamedTuple):
+    """Who takes nodes to other states: the managers, and the full names that they are given; ``unknown``: somebody may take any node."""
+
+    unknown: bool
+    managers: frozenset[str]
+    named: frozenset[str]
+
+
 def may_be_taken(instance: Instance, view: GraphView) -> bool:
     """Whether something may configure or activate the lifecycle node ``instance``: its program, launch, a manager, another node, people.
 
     What is not known counts as something that may.
     """
-    launch, graph = view.launch, view.graph
-    if instance.managed or launch.transitions or not launch.complete or not all(map(_is_idle, launch.programs)):
+    takers, graph = view.once(_takers), view.graph
+    if instance.managed or takers.unknown or instance.name in takers.named:
         return True
-    started = {each.name for each in graph.instances}
-    for each in graph.instances:
-        if each.node.package == MANAGER:
-            listed = managed_names(each)
-            named = {full_name(name, each) for name in listed or ()}
-            if listed is None or instance.name in named or not named <= started:
-                return True  # who is managed and not there may be this one, misspelt: LL940 tells that
-        elif each.is_unknown or any(end.role == "client" and end.type == CHANGE_STATE and not end.certain for end in each.endpoints):
-            return True
     service = f"{instance.name}/change_state"
     channel = graph.channels.get(("service", service))
-    managers = {each.name for each in graph.instances if each.node.package == MANAGER}
     if channel is not None and channel.uses:
         return True
-    if any(each.node not in managers and each.node != instance.name for each in graph.may_use("service", service, CHANGE_STATE)):
+    possible = graph.may_use("service", service, CHANGE_STATE)
+    if any(each.node not in takers.managers and each.node != instance.name for each in possible):
         return True
-    return _is_told(instance.name.rpartition("/")[2], launch, view.packages)
+    return _is_told(instance.name.rpartition("/")[2], view.launch, view.packages)
+
+
+def _takers(view: GraphView) -> _Takers:
+    launch, instances = view.launch, view.graph.instances
+    managers = [each for each in instances if each.node.package == MANAGER]
+    listed = [managed_names(each) for each in managers]
+    named = {full_name(name, each) for each, names in zip(managers, listed, strict=True) for name in names or ()}
+    unknown = (
+        bool(launch.transitions) or not launch.complete or not all(map(_is_idle, launch.programs))
+        # Who is managed and not there may be any node, misspelt: LL940 tells that.
+        or None in listed or not named <= {each.name for each in instances}
+        or any(each.is_unknown or _may_call_any(each) for each in instances if each.node.package != MANAGER)
+    )  # fmt: skip
+    return _Takers(unknown, frozenset(each.name for each in managers), frozenset(named))
+
+
+def _may_call_any(instance: Instance) -> bool:
+    return any(end.role == "client" and end.type == CHANGE_STATE and not end.certain for end in instance.endpoints)
 
 
 def _is_idle(program: Executable) -> bool:
@@ -93,12 +111,12 @@ def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], froze
 
 def _read(packages: Packages) -> Mapping[str, tuple[str, ...]]:
     looked: set[str] = set()
-    found: dict[str, tuple[str, ...]] = {}
+    found: dict[str, list[str]] = {}
     for file, names in parts(_texts(packages), _MOST_FILES, looked, "lifecycle"):
         for name in names:
-            found[name] = (*found.get(name, ()), file)
+            found.setdefault(name, []).append(file)
     note(looked)
-    return found
+    return {name: tuple(files) for name, files in found.items()}
 
 
 def _texts(packages: Packages) -> Iterator[tuple[str, list[str]]]:

@@ -61,6 +61,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     if not any(each.lifecycle for each in instances):
         return
     part = is_part(view)
+    managers = [each for each in instances if each.node.package == MANAGER]
     for instance in instances:
         if not instance.lifecycle or not instance.certain or not _has_lifecycle(instance, view):
             continue
@@ -70,7 +71,6 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
             continue
         if part:
             continue
-        managers = [each for each in instances if each.node.package == MANAGER]
         yield RULE.at(
             node_origin(instance),
             f"nobody activates {instance.name}, a lifecycle node",

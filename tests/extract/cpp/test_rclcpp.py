@@ -446,6 +446,7 @@ class Life : public rclcpp_lifecycle::LifecycleNode {{
   }}
  private:
   void tick() {{ create_client<std_srvs::srv::Trigger>("b"); }}
+  void start() {{ configure(); }}
 }};
 }}
 RCLCPP_COMPONENTS_REGISTER_NODE(demo::Life)
@@ -490,7 +491,16 @@ int main() { rclcpp::spin(std::make_shared<Like>()); }
     assert [(each.name, each.qos is not None and each.qos.reliability) for each in facts] == [("a", False), ("c", "best_effort")]
 
 
-@pytest.mark.parametrize("call", ["configure();", "this->activate();", "trigger_transition(1);"])
+@pytest.mark.parametrize(
+    "call",
+    [
+        "configure();",
+        "this->activate();",
+        "trigger_transition(1);",
+        "timer_ = create_wall_timer(1s, [this]() { start(); });",
+        "timer_ = create_wall_timer(1s, std::bind(&Life::start, this));",
+    ],
+)
 def test_a_lifecycle_node_that_its_own_program_manages(call: str, tmp_path: Path) -> None:
     source = LIFECYCLE.replace('declare_parameter("rate", 1.0);', call)
     facts, doubts, nodes = follow(tmp_path, source, "demo::Life")

@@ -18,11 +18,11 @@ _WORDS = frozenset(
     wait_for_message create_camera_publisher create_camera_subscription advertise advertiseCamera subscribe subscribeCamera
     create_sub_node add_on_set_parameters_callback add_parameter declare_parameter_if_not_declared declare_or_get_parameter thread
     createInstance createSharedInstance createUniqueInstance ParamListener get_params
-    on_configure on_activate""".split()
+    on_configure on_activate configure activate trigger_transition""".split()
 )
 _EVERYWHERE = frozenset(("Buffer", "NodeOptions"))
 """Classes that many functions are given which make no names."""
-_SILENT = frozenset("create_wall_timer create_timer thread".split())
+_SILENT = frozenset("create_wall_timer create_timer thread configure activate trigger_transition".split())
 
 
 def _is_handle(type_: Type) -> bool:
