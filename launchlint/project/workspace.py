@@ -30,7 +30,7 @@ from launchlint.syntax.decode import decode
 from launchlint.syntax.recovery import Recovered, changed_from, is_readable, recovered
 from launchlint.workspace.configuration import FILE_NAME
 from launchlint.workspace.crawl import ROSPACK
-from launchlint.workspace.discovery import may_be_launch_file
+from launchlint.workspace.discovery import is_launch_text, may_be_launch_file
 from launchlint.workspace.looking import unnoted
 from launchlint.workspace.reading import standing_in
 from launchlint.workspace.source_lists import is_source_list
@@ -127,8 +127,12 @@ class OpenWorkspace:
         opened = texts.keys() - self.texts.keys() - {request.at for request in self.requests}
         closed = {file for file, data in texts.items() if data is None}
         changed: dict[str, bytes | None] = {}
+        another = False
         for file, data in texts.items():
             before = self.texts.get(file)
+            held = before if before is not None else read(file).data
+            if data is not None and held is not None and may_be_launch_file(file):
+                another = another or is_launch_text(file, held) != is_launch_text(file, data)
             if data is None:
                 self.texts.pop(file, None)
                 if before is not None and before != _on_disk(file):
@@ -138,13 +142,13 @@ class OpenWorkspace:
             else:
                 self.texts[file] = data
                 self._recover(file, data)
-                if (before if before is not None else read(file).data) != data:
+                if held != data:
                     changed[file] = data
         # Also where nothing changed: what is on disk may do so, and must not be read over the text.
         self.checker = self.checker.holding(dict(texts))
         self._look_beside()
         self._undo(changed)
-        if closed or any(map(may_be_launch_file, opened)):
+        if closed or another or any(map(may_be_launch_file, opened)):
             self._discover()
 
     def _recover(self, file: str, data: bytes) -> None:

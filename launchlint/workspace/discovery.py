@@ -7,11 +7,13 @@ import stat
 from collections.abc import Sequence
 
 from launchlint.errors import UsageError
+from launchlint.workspace.reading import stand_ins
 
 _ENDS = (".launch", ".launch.xml")
 _TEST_END = ".test"
 _XML_END = ".xml"
 _YAML_ENDS = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
+_SAID_TO_BE = (*_ENDS, ".launch.yaml", ".launch.yml")
 PYTHON_END = ".launch.py"
 _PYTHON_ENDS = (PYTHON_END, "_launch.py")
 _DESCRIBES = b"def generate_launch_description("
@@ -79,11 +81,17 @@ def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None
 
 
 def is_launch_file(path: str) -> bool:
-    """Whether the file at ``path`` is a launch file by its name and, where the name leaves it open, by its content."""
+    """Whether the file at ``path`` is a launch file by its name and, where the name leaves it open, by its content.
+
+    Of a file that is open in an editor that is the text there; if it is called a launch file in so many words it is one, whatever it holds.
+    """
     if path.endswith((*_ENDS, *_PYTHON_ENDS)) and not _may_be_test_module(path):
         return True
     if not may_be_launch_file(path):
         return False
+    text = stand_ins().get(os.path.abspath(path)) if stand_ins() else None
+    if text is not None:
+        return is_launch_text(path, text)
     try:
         descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
     except OSError:
@@ -95,6 +103,11 @@ def is_launch_file(path: str) -> bool:
     finally:
         os.close(descriptor)
     return is_launch_content(path, start)
+
+
+def is_launch_text(path: str, text: bytes) -> bool:
+    """As :func:`is_launch_file` for a file that is open in an editor and holds ``text``."""
+    return path.endswith(_SAID_TO_BE) or is_launch_content(path, text)
 
 
 def _may_be_test_module(path: str) -> bool:

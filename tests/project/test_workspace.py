@@ -19,10 +19,46 @@ FILES = {"package.xml": PACKAGE, "launch/main.launch": MAIN, "launch/part.launch
 PIECES = ("", "x", "<", ">", '"', "/>", "$(arg ", "$(arg sim)", " name=", "\n", "</node>", "<group>", "<!--", "rate", ":", "  - a", "é😀")
 
 
-def make(directory: Path) -> OpenWorkspace:
+PACKAGE_ROS2 = PACKAGE.replace("catkin", "ament_cmake").replace(
+    "</package>", "<export><build_type>ament_cmake</build_type></export></package>"
+)
+MAIN_ROS2 = """<launch>
+  <arg name="sim" default="false"/>
+  <group>
+    <push_ros_namespace namespace="robot"/>
+    <node pkg="turtlesim" exec="turtlesim_node" name="turtle"><param from="$(find-pkg-share demo)/config/turtle.yaml"/></node>
+  </group>
+  <include file="$(dirname)/part.launch.yaml"><arg name="speed" value="2"/></include>
+  <include file="$(dirname)/program.launch.py" if="$(var sim)"/>
+</launch>
+"""
+PART_ROS2 = """launch:
+  - arg: {name: speed, default: '1'}
+  - arg: {name: unused}
+  - node: {pkg: turtlesim, exec: turtle_teleop_key, name: teleop, namespace: robot, args: $(var speed)}
+"""
+PROGRAM_ROS2 = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package="turtlesim", executable="turtlesim_node", name="turtle", namespace="robot")])
+"""
+FILES_ROS2 = {
+    "package.xml": PACKAGE_ROS2,
+    "launch/main.launch.xml": MAIN_ROS2,
+    "launch/part.launch.yaml": PART_ROS2,
+    "launch/other_launch.yaml": PART_ROS2.replace("teleop", "other"),
+    "launch/program.launch.py": PROGRAM_ROS2,
+    "launch/plain.xml": MAIN_ROS2,
+    "config/turtle.yaml": "/robot/turtle:\n  ros__parameters: {background_r: 10}\n",
+}
+PIECES_ROS2 = (*PIECES, "launch:", "- node: {", "    ", "$(var ", "def ", "])", "<launch>", "return ")
+
+
+def make(directory: Path, files: dict[str, str] = FILES) -> OpenWorkspace:
     directory.mkdir(exist_ok=True)
     (directory / ".git").mkdir(exist_ok=True)
-    for name, text in FILES.items():
+    for name, text in files.items():
         (directory / name).parent.mkdir(exist_ok=True, parents=True)
         (directory / name).write_text(text, encoding="utf-8")
     return OpenWorkspace(str(directory))
@@ -57,15 +93,20 @@ def _deep_stack() -> None:
     sys.setrecursionlimit(DEEPEST_STACK)
 
 
+Edited = tuple[str, float, int, str, bool]
+"""A file, where in it something is changed, how much is taken away, what comes there, and whether findings are asked for then."""
 edit = st.tuples(st.sampled_from(sorted(FILES)), st.floats(0, 1), st.integers(0, 12), st.sampled_from(PIECES), st.booleans())
 
 
 @settings(max_examples=20, deadline=None, suppress_health_check=list(HealthCheck))
 @given(edits=st.lists(edit, min_size=1, max_size=8))
-def test_after_any_edits_the_findings_are_those_of_a_fresh_check(edits: list[tuple[str, float, int, str, bool]], tmp_path: Path) -> None:
-    directory = tmp_path / "ws"
-    workspace = make(directory)
-    texts = dict(FILES)
+def test_after_any_edits_the_findings_are_those_of_a_fresh_check(edits: list[Edited], tmp_path: Path) -> None:
+    check_edits(edits, FILES, tmp_path / "ws")
+
+
+def check_edits(edits: list[Edited], files: dict[str, str], directory: Path) -> None:
+    workspace = make(directory, files)
+    texts = dict(files)
     for name, at, length, piece, look in edits:
         text = texts[name]
         start = int(at * len(text))
@@ -76,6 +117,21 @@ def test_after_any_edits_the_findings_are_those_of_a_fresh_check(edits: list[tup
     assert told(workspace) == fresh(workspace, directory)
     workspace.hold(dict.fromkeys(list(workspace.texts)))
     assert told(workspace) == told(OpenWorkspace(str(directory)))
+
+
+edit_ros2 = st.tuples(st.sampled_from(sorted(FILES_ROS2)), st.floats(0, 1), st.integers(0, 12), st.sampled_from(PIECES_ROS2), st.booleans())
+
+
+@settings(max_examples=20, deadline=None, suppress_health_check=list(HealthCheck))
+@given(edits=st.lists(edit_ros2, min_size=1, max_size=8))
+def test_after_any_edits_of_ros2_the_findings_are_those_of_a_fresh_check(edits: list[Edited], tmp_path: Path) -> None:
+    check_edits(edits, FILES_ROS2, tmp_path / "ws")
+
+
+@pytest.mark.parametrize("name", ["launch/part.launch.yaml", "launch/other_launch.yaml"])
+def test_a_yaml_file_whose_root_is_damaged(name: str, tmp_path: Path) -> None:
+    check_edits([(name, 0.0, 3, "x", True)], FILES_ROS2, tmp_path / "ws")
+    check_edits([(name, 0.0, 3, "x", True), (name, 0.0, 1, "lau", True)], FILES_ROS2, tmp_path / "other")
 
 
 def test_what_is_saved_reaches_exactly_the_entries_that_read_it(tmp_path: Path) -> None:
