@@ -285,8 +285,8 @@ class _State:
         again = [changed.intersection(file.path for file in each.files) or each.path in changed for each in self.results]
         results = [checker.check(each.request) if anew else each for each, anew in zip(self.results, again, strict=True)]
         read = Counter(file.path for each, anew in zip(results, again, strict=True) if anew for file in each.files)
-        sizes = {path: len(checker.session.read(os.path.join(checker.options.root, path)).data or b"") for path in read}
-        read_again = sum(times * sizes[path] for path, times in read.items())
+        root, session = checker.options.root, checker.session
+        read_again = sum(times * len(session.read(os.path.join(root, path)).data or b"") for path, times in read.items())
         return _State(checker, results, read_again)
 
     def callers(self, file: str) -> Iterator[Caller]:

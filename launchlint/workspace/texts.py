@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from launchlint.workspace.looking import PART, content
+from launchlint.workspace.looking import PART, content, note, walk, watched
 from launchlint.workspace.text_parts import LARGEST, PARTS, part_of
+
+_MOST_DIRECTORIES = 2_000
+_MOST_FILES = 4_000
 
 
 def texts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str]) -> Iterator[tuple[str, str]]:
@@ -24,6 +27,33 @@ def parts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[st
     for file in _files(places, most, looked):
         looked.add(f"{file}{PART}{part}")
         yield file, part_of(file, part)
+
+
+def files_by_word(
+    workspaces: Iterable[str], ends: tuple[str, ...], part: str, most: int = _MOST_FILES
+) -> tuple[Mapping[str, tuple[str, ...]], frozenset[str]]:
+    """For each word of the ``part`` of the files below ``workspaces`` whose names have one of these ``ends``, the first ``most`` files
+    (absolute) that hold it; and what that hangs on, to be noted by whoever asks again. Never raises.
+    """
+    return watched(lambda: _files_by_word(workspaces, ends, part, most))
+
+
+def _files_by_word(workspaces: Iterable[str], ends: tuple[str, ...], part: str, most: int) -> Mapping[str, tuple[str, ...]]:
+    looked: set[str] = set()
+    found: dict[str, list[str]] = {}
+    for file, words in parts(_named(workspaces, ends), _MOST_FILES, looked, part):
+        for word in words:
+            files = found.setdefault(word, [])
+            if len(files) < most:
+                files.append(file)
+    note(looked)
+    return {word: tuple(files) for word, files in found.items()}
+
+
+def _named(workspaces: Iterable[str], ends: tuple[str, ...]) -> Iterator[tuple[str, Sequence[str]]]:
+    for workspace in workspaces:
+        for parent, names in walk(workspace, _MOST_DIRECTORIES):
+            yield parent, [name for name in sorted(names) if name.endswith(ends)]
 
 
 def _files(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str]) -> Iterator[str]:

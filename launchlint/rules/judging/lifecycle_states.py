@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.graph.connections import Instance
 from launchlint.model import Executable, Launch, UnknownText
-from launchlint.workspace.looking import note, walk, watched
-from launchlint.workspace.texts import parts
+from launchlint.workspace.looking import note
+from launchlint.workspace.texts import files_by_word
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,8 +22,6 @@ NAMES = "node_names"
 CHANGE_STATE = "lifecycle_msgs/srv/ChangeState"
 _ANY = "*"
 _ENDS = (".py", ".sh", ".bash", ".md", ".rst", ".txt", ".cpp", ".cc", ".cxx", ".h", ".hpp", ".xml", ".launch", ".yaml", ".yml")
-_MOST_DIRECTORIES = 2_000
-_MOST_FILES = 4_000
 _SIMULATORS = frozenset(("gz", "ign", "gazebo", "gzserver", "gzclient", "rviz2", "xacro"))
 _SILENT_VERBS = frozenset(("bag", "topic", "param", "control"))
 """What ``ros2`` is told to do that changes no node's state."""
@@ -106,20 +104,4 @@ def _is_told(name: str, launch: Launch, packages: Packages) -> bool:
 
 def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], frozenset[str]]]:
     """The files that take nodes to other states, by the names that they hold, and what that hangs on."""
-    return [watched(lambda: _read(packages))]
-
-
-def _read(packages: Packages) -> Mapping[str, tuple[str, ...]]:
-    looked: set[str] = set()
-    found: dict[str, list[str]] = {}
-    for file, names in parts(_texts(packages), _MOST_FILES, looked, "lifecycle"):
-        for name in names:
-            found.setdefault(name, []).append(file)
-    note(looked)
-    return {name: tuple(files) for name, files in found.items()}
-
-
-def _texts(packages: Packages) -> Iterator[tuple[str, list[str]]]:
-    for workspace in packages.workspaces:
-        for parent, names in walk(workspace, _MOST_DIRECTORIES):
-            yield parent, [name for name in sorted(names) if name.endswith(_ENDS)]
+    return [files_by_word(packages.workspaces, _ENDS, "lifecycle")]

@@ -277,13 +277,15 @@ class LooseEnds:
 
     def _is_of_absent_program(self, name: str, other: str) -> bool:
         """Whether ``name``, and not ``other``, lies below the name of a known program that is not started here: that gives it."""
-        apart = set(name.split("/")[1:-1]) - set(other.split("/"))
-        return any(each not in self._started and is_in_library(each, self.graph.launch.dialect) for each in apart)
+        return any(is_in_library(each, self.graph.launch.dialect) for each in self._namespaces_of_absent(name, other))
 
     def _is_of_own_program(self, name: str, other: str) -> bool:
         """Whether ``name``, and not ``other``, lies below that of a program of the workspace that is not started here: it was led there."""
-        apart = set(name.split("/")[1:-1]) - set(other.split("/"))
-        return any(each not in self._started and contents(self._view.packages).having(each) for each in apart)
+        return any(contents(self._view.packages).having(each) for each in self._namespaces_of_absent(name, other))
+
+    def _namespaces_of_absent(self, name: str, other: str) -> set[str]:
+        """The namespaces of ``name`` that ``other`` has not, and that are called as no node that is started here."""
+        return set(name.split("/")[1:-1]) - set(other.split("/")) - self._started
 
     def _in_doubt(self, end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
         """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""

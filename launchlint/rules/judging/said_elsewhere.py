@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Mapping
 
-from launchlint.workspace.looking import note, walk, watched
+from launchlint.workspace.looking import note
 from launchlint.workspace.packages import Packages
-from launchlint.workspace.texts import parts
+from launchlint.workspace.texts import files_by_word
 
 _SOURCE_ENDS = (".cpp", ".cc", ".cxx", ".c", ".h", ".hpp", ".py")
-_MOST_DIRECTORIES = 2_000
-_MOST_FILES = 4_000
 _MOST_KEPT = 8
 """Files that are kept of those that say one name."""
 
@@ -27,24 +25,6 @@ def says(name: str, packages: Packages, *, offers: bool, besides: Collection[str
     return any(not file.endswith(without) for file in known.get(f"{'+' if offers else '-'}{name}", ()))
 
 
-def _kept(packages: Packages) -> list[tuple[dict[str, tuple[str, ...]], frozenset[str]]]:
+def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], frozenset[str]]]:
     """What the sources say, each with the first files that do, and what that hangs on."""
-    return [watched(lambda: _read(packages))]
-
-
-def _read(packages: Packages) -> dict[str, tuple[str, ...]]:
-    looked: set[str] = set()
-    found: dict[str, tuple[str, ...]] = {}
-    for file, words in parts(_sources(packages), _MOST_FILES, looked, "topics"):
-        for word in words:
-            files = found.get(word, ())
-            if len(files) < _MOST_KEPT and file not in files:
-                found[word] = (*files, file)
-    note(looked)
-    return found
-
-
-def _sources(packages: Packages) -> Iterator[tuple[str, list[str]]]:
-    for workspace in packages.workspaces:
-        for parent, names in walk(workspace, _MOST_DIRECTORIES):
-            yield parent, [name for name in sorted(names) if name.endswith(_SOURCE_ENDS)]
+    return [files_by_word(packages.workspaces, _SOURCE_ENDS, "topics", _MOST_KEPT)]
