@@ -1,8 +1,9 @@
 """Random launch trees: what the real roslaunch makes of them, held against launchlint's model; differences are made small.
 
 ``python -m tests.conformance.ros1.held_against [--count N] [--seed N] [--jobs N] [--python COMMAND]``: each tree is evaluated by
-both. Every fifth one that loads is formatted, flattened, and flattened with its args kept, and evaluated again: it has to mean the
-same. ``--python`` is a Python that can import roslaunch. Exit status 1 where anything differs.
+both. Every fifth one that loads is formatted, has all fixes made that are said to change nothing, is flattened, and flattened with its
+args kept, and evaluated again: it has to mean the same. ``--python`` is a Python that can import roslaunch. Exit status 1 where anything
+differs.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import multiprocessing
 import os
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
@@ -23,8 +24,9 @@ from launchlint.export.flatten import flatten
 from launchlint.export.written import CannotExport
 from launchlint.fix.format.formatting import formatted
 from launchlint.fix.format.style import Style
+from tests.conformance import fixes
 from tests.conformance.ros1.smaller import smaller
-from tests.evaluate.comparison import MAIN, Case, difference, inside, ours, session_in, theirs, write
+from tests.evaluate.comparison import ENVIRONMENT, MAIN, Case, difference, inside, ours, session_in, theirs, write
 from tests.evaluate.random_launch import random_case
 from tests.export.test_against_roslaunch import without_files
 
@@ -54,6 +56,11 @@ def rewritten(case: Case, directory: Path) -> Iterator[tuple[str, Case]]:
         result = formatted(data, name, Style(60)) if name.endswith(".launch") else None
         files[name] = data if result is None or result.problem is not None or result.refusal else result.data
     yield "format", case._replace(files=files)
+    with inside(directory):
+        done = fixes.changing_nothing(directory, MAIN, {**ENVIRONMENT, **case.environment})
+    if done.files:
+        texts = {str(Path(file).relative_to(directory)): after for file, (_, after) in done.files.items()}
+        yield "fix", case._replace(files={**case.files, **texts})
     for args_kept in (False, True):
         with inside(directory):
             try:
@@ -65,9 +72,40 @@ def rewritten(case: Case, directory: Path) -> Iterator[tuple[str, Case]]:
         yield f"flatten{' with args' * args_kept}", case._replace(files={MAIN: export.data, **kept}, arguments={})
 
 
-def compared(name: str, answer: dict[str, Any]) -> dict[str, Any]:
-    """The parts of an answer that a command has to leave: a flat file comes from one file, and counts anonymous names anew."""
-    return answer if name == "format" else without_files(answer)
+def compared(name: str, answer: dict[str, Any], directory: Path) -> dict[str, Any]:
+    """The parts of an answer that a command has to leave: a flat file comes from one file, and counts anonymous names anew; a fix may write
+    the name of an included file in another way, and remove a remap that does nothing.
+    """
+    if name == "format" or answer["verdict"] != "ok":
+        return answer
+    return without_files(answer) if name != "fix" else without_spelling(answer, directory)
+
+
+def without_spelling(answer: Mapping[str, Any], directory: Path) -> dict[str, Any]:
+    """The answer with all names of files from the root on, and without the remaps of nodes that do nothing."""
+
+    def placed(file: str) -> str:
+        return os.path.normpath(directory / file)
+
+    def started(node: Mapping[str, Any]) -> dict[str, Any]:
+        sources = [resolved(source, node) for source, _ in node["remaps"]]
+        pairs = zip(node["remaps"], sources, strict=True)
+        kept = [pair for pair, source in pairs if source != resolved(pair[1], node) or sources.count(source) > 1]
+        return {**node, "remaps": kept, "file": placed(node["file"])}
+
+    return {
+        **answer,
+        **{kind: [started(node) for node in answer[kind]] for kind in ("nodes", "tests")},
+        "files": [placed(file) for file in answer["files"]],
+        "includes": [{**include, "file": placed(include["file"])} for include in answer["includes"]],
+    }
+
+
+def resolved(name: str, node: Mapping[str, Any]) -> str:
+    """What a name on the command line of a node stands for."""
+    if name.startswith("~"):
+        name = f"{node['fqn']}/{name[1:]}"
+    return "/" + "/".join(filter(None, (name if name.startswith("/") else f"{node['ns']}/{name}").split("/")))
 
 
 def judged(ros_python: str, cases: Sequence[Case], rewritten_each: int = 1) -> list[tuple[str, str]]:
@@ -97,7 +135,7 @@ def changed(case: Case, directory: Path, before: dict[str, Any]) -> str:
         for file in directory.rglob("*.launch"):
             file.unlink()
         write(other, directory)
-        differs = difference(compared(name, dict(before)), compared(name, ours(other, directory)))
+        differs = difference(compared(name, dict(before), directory), compared(name, ours(other, directory), directory))
         write(case, directory)
         if differs:
             return f"{name}: {differs}"

@@ -162,7 +162,10 @@ def indented_more(document: Document, element: Element, random: Random) -> Made:
 @kind("structure", dialect="yaml")
 def indented_less(document: Document, element: Element, random: Random) -> Made:
     lines = document.text.splitlines(keepends=True)
-    at = random.choice([number for number, line in enumerate(lines) if line.startswith("  ") and not line.lstrip().startswith("#")])
+    indented = [number for number, line in enumerate(lines) if line.startswith("  ") and not line.lstrip().startswith("#")]
+    if not indented:
+        return None
+    at = random.choice(indented)
     return "".join((*lines[:at], lines[at][2:], *lines[at + 1 :])), lines[at].strip()
 
 
