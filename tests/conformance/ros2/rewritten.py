@@ -48,6 +48,8 @@ LOSING_NOTHING = frozenset(
 )
 """Mistakes that leave what was meant: a safe fix of one has to bring it back."""
 MISTAKES = [each for each in KINDS if each.name in LOSING_NOTHING]
+COPIES = "abcdefghijklm"
+"""First letters of directories: names of one length, which an expression may count."""
 AT_A_TIME = 6
 """Kinds of mistakes that are made in each workspace, one after the other."""
 BY_LAUNCH = ", by ros2 launch"
@@ -106,7 +108,7 @@ def rewritten(directory: Path, workspace: Workspace, seed: int, variables: Mappi
     session, file, pairs = session_in(directory, variables), str(directory / entry), tuple(given.items())
     language = XML if entry.endswith("yaml") else YAML
     there = f"{entry.removesuffix('.yaml').removesuffix('.xml').removesuffix('.launch')}{ENDS[language]}"
-    if there not in texts:
+    if there not in texts and b"$(filename)" not in texts[entry]:  # it has another name then
         try:
             converted = convert(session, file, (), Style(), language)
         except CannotExport:
@@ -182,7 +184,7 @@ def judged(seeds: Sequence[int], real: FrontEnd | None) -> list[Judged]:
             if before["verdict"] != "ok":
                 continue
             for number, each in enumerate(rewritten(directory, workspace, seed, variables)):
-                copy = directory if each.command == "flatten" else corpus / f"w{seed}x{number}"  # it may hold the directory's name
+                copy = directory if each.command == "flatten" else corpus / f"{COPIES[number]}{seed}"  # it may hold the directory's name
                 if copy != directory:
                     workspace.write(copy)
                 for file, data in each.files.items():
