@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
+from launchlint.evaluate.by_text import ByText
 from launchlint.source import Source, Span
 from launchlint.syntax.parse import parse
 from launchlint.workspace.discovery import holds_python
@@ -97,6 +98,7 @@ class Session:
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}
         self.loaded: dict[str, Any] = {}
+        self.by_text = ByText()
         self.settings: dict[Any, list[Effect]] = {}
         self.uses: dict[Document, ArgUses] = {}
         self.words: dict[Document, Mapping[str, frozenset[str]]] = {}

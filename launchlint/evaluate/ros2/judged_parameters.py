@@ -14,16 +14,16 @@ from launchlint.evaluate.ros2.parameter_problems import (
     TextRetyped,
 )
 from launchlint.evaluate.ros2.parameters import LETTERS, source_of
-from launchlint.evaluate.ros2.rcl_files import table_of
+from launchlint.evaluate.ros2.rcl_files import content_of, table_of
 from launchlint.evaluate.ros2.started import written
 from launchlint.evaluate.session import WRITTEN
 from launchlint.model import Unknown
-from launchlint.rcl import parameter_files, parameter_rule, remap
+from launchlint.rcl import parameter_rule, remap
 from launchlint.rcl.parameter_value import scalar
 from launchlint.rcl.refused import Refused
 from launchlint.rcl.table import Key, Parameter, Table
-from launchlint.source import Origin, Place, Source, Span
-from launchlint.yaml.tree import STR, YamlBeyond, yaml_1_1
+from launchlint.source import Origin, Place, Span
+from launchlint.yaml.tree import STR, yaml_1_1
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def judged(passed: Sequence[Passed], remaps: Iterable[Remap], begun: Started, no
         elif given.text is not None and given.of is not None and not given.unknown:
             yield from _content(given, given.of, given.text, node, asks)
         elif given.content is not None and begun.refused is not None:
-            refused = _refused(given)
+            refused = _refused(given, asks)
             if refused is not None:
                 yield ParameterDies(origin=given.origin, reason=refused.reason, node=node)
                 continue
@@ -107,10 +107,7 @@ def _file(given: Passed, node: str, asks: Performs) -> Iterator[Problem]:
 
 def _content(given: Passed, file: str, text: str, node: str, asks: Performs) -> Iterator[Problem]:
     """A file with the substitutions in it performed: its lines are those of the file, as long as no value has several."""
-    try:
-        refused = parameter_files.read(Source(file, text))
-    except YamlBeyond:
-        return
+    refused = content_of(file, text, asks).alone
     if not isinstance(refused, Refused):
         return
     source = source_of(file, asks.session.read(file).data or b"", asks)
@@ -130,12 +127,9 @@ def _content(given: Passed, file: str, text: str, node: str, asks: Performs) -> 
     )
 
 
-def _refused(given: Passed) -> Refused | None:
+def _refused(given: Passed, asks: Performs) -> Refused | None:
     """Why rcl refuses what launch writes for one ``<param>``, if it does."""
-    try:
-        read = parameter_files.read(written(given))
-    except YamlBeyond:
-        return None
+    read = written(given, asks).alone
     return read if isinstance(read, Refused) else None
 
 

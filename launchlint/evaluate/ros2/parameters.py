@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable
+from functools import partial
 from typing import Any, NamedTuple, Protocol
 
 from launchlint.evaluate.ros2.parameter_problems import CommandReadAsYaml, ContentNoYaml, ParameterValueType
@@ -203,13 +204,20 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
     text = asks.perform_content(source_of(file, read.data, asks))
     if isinstance(text, Unknown):
         return Passed(origin, content=text, of=file, unknown=True)
-    try:
-        content = load_file(text)
-    except YamlError as error:
-        asks.fail(ContentNoYaml(origin=origin, refused=True, file=file, reason=error.message))
-    except YamlBeyond as beyond:
-        return Passed(origin, content=Unknown(text[:100], beyond.message), of=file, unknown=True)
+    content = asks.session.by_text.once(text, load_file, partial(_loaded, text))
+    if isinstance(content, YamlError):
+        asks.fail(ContentNoYaml(origin=origin, refused=True, file=file, reason=content.message))
+    if isinstance(content, YamlBeyond):
+        return Passed(origin, content=Unknown(text[:100], content.message), of=file, unknown=True)
     return Passed(origin, content=content, text=text, of=file)
+
+
+def _loaded(text: str) -> Any:
+    """What PyYAML makes of a whole file, or why it makes nothing of it."""
+    try:
+        return load_file(text)
+    except (YamlError, YamlBeyond) as error:
+        return error.with_traceback(None)
 
 
 def _made(file: str, data: bytes, substitute: bool, asks: Performs) -> tuple[Any, str] | None:

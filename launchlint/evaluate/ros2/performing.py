@@ -159,15 +159,25 @@ class Performer:
 
     def perform_content(self, source: Source) -> Value:
         """A file with all substitutions in it performed. Raises Failure."""
+        kept = self.session.loaded
+        name = f"text {source.file}"
+        if name not in kept:
+            kept[name] = self._parsed(source)
+        text, problem = kept[name]
+        if problem is not None:
+            raise Failure(problem.but(origin=self.where(problem.place)))
+        value: Value = self.perform(text)
+        return value
+
+    def _parsed(self, source: Source) -> tuple[Text, Problem | None]:
+        """The pieces of a file, and the first reason why launch refuses it, if it does."""
         from launchlint.syntax.ros2.substitutions import parse
         from launchlint.syntax.ros2.tables import Distribution
         from launchlint.syntax.ros2.written import InText
 
         problems: list[Problem] = []
         text = parse(InText(source), Distribution(self.rules.distro), problems)
-        if problems:
-            raise Failure(problems[0].but(origin=self.where(problems[0].place)))
-        return self.perform(text)
+        return text, problems[0] if problems else None
 
     def fail(self, problem: Problem) -> NoReturn:
         """Stop, as launch does: raises Failure."""

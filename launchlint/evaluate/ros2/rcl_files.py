@@ -1,12 +1,14 @@
-"""Parameter files as rcl reads them, each once in a session."""
+"""Parameter files as rcl reads them, each once in a session: those on disk by their names, those that launch writes by their texts."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 from launchlint.evaluate.ros2.parameters import source_of
 from launchlint.rcl import parameter_files
 from launchlint.rcl.refused import Refused
 from launchlint.rcl.table import Table
-from launchlint.source import Span
+from launchlint.source import Source, Span
 from launchlint.yaml import events
 from launchlint.yaml.tree import YamlBeyond
 
@@ -51,3 +53,30 @@ def table_of(file: str, asks: Performs) -> Table | Refused | None:
             asks.session.loaded[name] = None
     known: Table | Refused | None = asks.session.loaded[name]
     return known
+
+
+class Content(NamedTuple):
+    """What launch writes to a file for the start of a node, with what it holds by itself: None if it is beyond all bounds."""
+
+    source: Source
+    alone: Table | Refused | None
+
+
+def content_of(file: str, text: str, asks: Performs) -> Content:
+    """A ``text`` that launch writes for a node, made from ``file`` (or nothing). The same text is the same content, with one source."""
+
+    def read() -> Content:
+        source, table = Source(file, text), Table()
+        table.tags = asks.tags_count
+        try:
+            return Content(source, parameter_files.add(source, table) or table)
+        except YamlBeyond:
+            return Content(source, None)
+
+    return asks.session.by_text.once(text, (Content, file, asks.tags_count), read)
+
+
+def add_content(content: Content, table: Table) -> Refused | None:
+    """Read what launch has written into ``table``; its refusal, if rcl refuses it. Raises YamlBeyond."""
+    alone = content.alone
+    return None if isinstance(alone, Table) and table.merge(alone) else parameter_files.add(content.source, table)

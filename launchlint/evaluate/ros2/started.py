@@ -10,9 +10,9 @@ from functools import cache, partial
 from typing import Any, NamedTuple
 
 from launchlint.evaluate.ros2.parameters import PARAMETERS
-from launchlint.evaluate.ros2.rcl_files import add_file
+from launchlint.evaluate.ros2.rcl_files import Content, add_content, add_file, content_of
 from launchlint.model import Unknown, UnknownText
-from launchlint.rcl import arguments, parameter_files
+from launchlint.rcl import arguments
 from launchlint.rcl.names import Names
 from launchlint.rcl.refused import Refused
 from launchlint.rcl.table import ANY, Table, winning
@@ -88,14 +88,14 @@ def started(
     if namespace is not None:
         words += ["-r", f"__ns:={namespace}"]
     known = True
-    contents: dict[str, tuple[Source, Passed]] = {}
+    contents: dict[str, tuple[Content, Passed]] = {}
     for place, each in enumerate(passed):
         if each.rule is not None:
             words += [] if isinstance(each.rule, UnknownText) else ["-p", each.rule]
             known = known and not each.unknown
         elif isinstance(each.content, Mapping) and not isinstance(each.content, Unknown):
             file = f"{_CONTENT}{place}"
-            contents[file] = (written(each), each)
+            contents[file] = (_written(each, contents.values(), asks), each)
             words += [arguments.PARAMETERS_FILE, file]
         elif each.unknown:
             known = False
@@ -103,7 +103,7 @@ def started(
             words += [arguments.PARAMETERS_FILE, each.file]
         elif each.text is not None:
             file = f"{_CONTENT}{place}"
-            contents[file] = (written(each), each)
+            contents[file] = (_written(each, contents.values(), asks), each)
             words += [arguments.PARAMETERS_FILE, file]
     for source, target in remaps:
         words += ["-r", f"{source}:={target}"]
@@ -113,7 +113,7 @@ def started(
         table.tags = asks.tags_count
         try:
             content = contents.get(file)
-            return add_file(file, table, asks) if content is None else parameter_files.add(content[0], table)
+            return add_file(file, table, asks) if content is None else add_content(content[0], table)
         except YamlBeyond as too_much:
             beyond.append(too_much)
             return None
@@ -122,11 +122,12 @@ def started(
     if isinstance(line, Refused):
         return Started(None, line, None if name is None else Names(name, namespace or "/").full_name)
     full_name = None if name is None else Names(name, namespace or "/", line.rules).full_name
+    sources = tuple((content.source, each) for content, each in contents.values())
     if beyond or not known:
-        return Started(None, None, full_name, line, tuple(contents.values()))
-    called = partial(_found, line.parameters, contents=tuple(contents.values()), passed=passed)
+        return Started(None, None, full_name, line, sources)
+    called = partial(_found, line.parameters, contents=sources, passed=passed)
     found = called(full_name or _NAMELESS) if full_name is not None or _is_for_all(line.parameters) else None
-    return Started(found, None, full_name, line, tuple(contents.values()), called if full_name is None else None)
+    return Started(found, None, full_name, line, sources, called if full_name is None else None)
 
 
 def _is_for_all(table: Table) -> bool:
@@ -160,10 +161,18 @@ def _found(table: Table, full_name: str, *, contents: Sequence[tuple[Source, Pas
     return found
 
 
-def written(passed: Passed) -> Source:
+def written(passed: Passed, asks: Performs) -> Content:
     """What stands in the file that launch writes."""
     text = passed.text if passed.text is not None else dumped(passed.content)
-    return Source(passed.of or "", text)
+    return content_of(passed.of or "", text, asks)
+
+
+def _written(passed: Passed, before: Iterable[tuple[Content, Passed]], asks: Performs) -> Content:
+    """The same; its source is none of those ``before`` it on the command line, so that it can be told whose a param is."""
+    content = written(passed, asks)
+    if any(content is each for each, _ in before):
+        return content._replace(source=Source(content.source.path, content.source.text), alone=None)
+    return content
 
 
 def dumped(content: Any) -> str:

@@ -11,7 +11,7 @@ from launchlint.evaluate.ros2.component_parameters import component_parameters, 
 from launchlint.evaluate.ros2.parameters import GlobalFile, GlobalParameter, Passed, node_parameters, set_parameter
 from launchlint.evaluate.ros2.started import started
 from launchlint.model import Unknown
-from launchlint.source import Origin
+from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.ros2.description import Parameter, ParameterSource, SetParameter, TypedValue
 from tests.evaluate.ros2.asked import NOWHERE, Asked, Stopped, file, param, plain, text, var
 
@@ -124,6 +124,20 @@ def test_substitutions_in_a_file_are_performed_where_that_is_asked_for() -> None
     assert starts(passed, asks) == {"a": 5, "b": "5"}
     with pytest.raises(Stopped):
         node_parameters((file("/w/none.yaml", True),), (), None, asks)
+
+
+def test_the_same_text_is_read_once_and_each_node_knows_who_gave_it() -> None:
+    asks = Asked({"q": "5"}, {"p.yaml": "n:\n  ros__parameters: {a: $(var q)}\n"})
+    here, there = (Origin(Place(Source(name, name), Span(0, 1))) for name in "ab")
+
+    def origins(*given: Origin) -> list[Origin | None]:
+        passed = [node_parameters((file("/w/p.yaml", True),), (), None, asks)[0]._replace(origin=each) for each in given]
+        begun = started((), None, "n", None, passed, (), asks)
+        assert begun.parameters is not None
+        return [value.origin for value in begun.parameters.values()]
+
+    assert [origins(here), origins(there), origins(here, there), origins(there, here)] == [[here], [there], [there], [here]]
+    assert len(asks.session.by_text) == 2, "what PyYAML makes of it, and what rcl does"
 
 
 def test_params_that_are_set_for_all_nodes_come_first_and_lists_become_texts() -> None:
