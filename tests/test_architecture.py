@@ -73,7 +73,6 @@ LAZY = {
     "asyncio",
     "concurrent",
     "docker",
-    "jinja2",
     "lxml",
     "multiprocessing",
     "networkx",

@@ -36,7 +36,6 @@ HEAVY = (
     "docker",
     "email",
     "http",
-    "jinja2",
     "lxml",
     "multiprocessing",
     "networkx",

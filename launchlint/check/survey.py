@@ -7,9 +7,10 @@ from typing import NamedTuple
 
 from launchlint.check.ahead import read_ahead
 from launchlint.check.entry import EntryChecker, EntryResult
-from launchlint.check.options import Arguments, EntryRequest
+from launchlint.check.merge import without_parts
+from launchlint.check.options import Arguments, EntryRequest, Options
 from launchlint.check.run import Progress, ReadingProgress, compute
-from launchlint.dialects.door import evaluate
+from launchlint.dialects.door import dialect_of
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.combinations import Interplay
 from launchlint.finding import Finding, Key
@@ -21,6 +22,7 @@ from launchlint.source import Place, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.graph.earlier import Earlier
     from launchlint.rules.view import LaunchView
     from launchlint.syntax.tree import Document
 
@@ -32,7 +34,8 @@ class Surveyed(NamedTuple):
     """One entry file: its findings and the joined graph of all its configurations; None where launchlint itself failed.
 
     ``given`` are the args of each configuration; rules looked at the first ``checked`` of them, and ``told`` says in which of these each
-    finding was. ``whole``: of any other combination of args it can be told what it starts.
+    finding was. ``whole``: of any other combination of args it can be told what it starts. ``held``: there is a graph that was not
+    joined, since the file may turn out to be a part of another entry file.
     """
 
     result: EntryResult
@@ -43,63 +46,98 @@ class Surveyed(NamedTuple):
     told: Mapping[Key, tuple[int, ...]] = {}
     checked: int = 0
     whole: bool = True
+    held: bool = False
+
+
+class _Seen:
+    """What a surveyor keeps of one entry file while it is checked."""
+
+    def __init__(self, arguments: Arguments) -> None:
+        self.graphs: list[ConnectionGraph] = []
+        self.extents: dict[str, Span] = {}
+        self.given: list[Arguments] = []
+        self.told: dict[Key, list[int]] = {}
+        self.interplay = Interplay(arguments)
+        self.earlier: Earlier | None = None
 
 
 class Surveyor(EntryChecker):
     """Checks entry files and keeps the graph of each configuration that it connects."""
 
-    _graphs: list[ConnectionGraph]
-    _extents: dict[str, Span]
-    _given: list[Arguments]
-    _told: dict[Key, list[int]]
-    _interplay: Interplay
+    def __init__(self, options: Options, overlay: Mapping[str, bytes] | None = None, *, remember: bool = False) -> None:
+        super().__init__(options, overlay, remember=remember)
+        self._seen = _Seen(())
+        self._held: dict[EntryRequest, _Seen] = {}
 
     def survey(self, request: EntryRequest) -> Surveyed:
         """All findings of an entry file, and what it connects. Never raises: a crash becomes a finding."""
-        self._graphs = []
-        self._extents = {}
-        self._given = []
-        self._told = {}
-        self._interplay = Interplay(request.arguments)
-        result = self.check(request)
-        if not self._graphs or not result.configurations:
-            return Surveyed(result, None, self._extents)
-        checked = len(self._given)
-        whole = self._combine(request) if len(self._graphs) == checked else True
-        told = {key: tuple(dict.fromkeys(those)) for key, those in self._told.items()}
-        return Surveyed(result, topology(self._graphs), self._extents, details(self._graphs), tuple(self._given), told, checked, whole)
+        return self._joined(request, self._checked(request))
 
-    def _combine(self, request: EntryRequest) -> bool:
+    def survey_unless_part(self, request: EntryRequest) -> Surveyed:
+        """The same; what it connects is held back where the file lacks args, as most files do that others include."""
+        result = self._checked(request)
+        if not result.summary.needs_caller or not self._seen.graphs:
+            return self._joined(request, result)
+        self._seen.earlier = self._connected_before
+        self._held[request] = self._seen
+        return Surveyed(result, None, {}, held=True)
+
+    def joined(self, surveyed: Surveyed) -> Surveyed:
+        """What was held back, as :meth:`survey` gives it; worked out anew where another process has it."""
+        request = surveyed.result.request
+        held = self._held.pop(request, None)
+        if held is None:
+            return self.survey(request)
+        self._seen, self._earlier = held, held.earlier
+        return self._joined(request, surveyed.result)
+
+    def _checked(self, request: EntryRequest) -> EntryResult:
+        self._seen = _Seen(request.arguments)
+        return self.check(request)
+
+    def _joined(self, request: EntryRequest, result: EntryResult) -> Surveyed:
+        seen = self._seen
+        if not seen.graphs or not result.configurations:
+            return Surveyed(result, None, seen.extents)
+        checked = len(seen.given)
+        whole = self._combine(request, seen) if len(seen.graphs) == checked else True
+        told = {key: tuple(dict.fromkeys(those)) for key, those in seen.told.items()}
+        return Surveyed(result, topology(seen.graphs), seen.extents, details(seen.graphs), tuple(seen.given), told, checked, whole)
+
+    def _combine(self, request: EntryRequest, seen: _Seen) -> bool:
         """Evaluate the combinations of args of which each acts on what the others act on; returns whether these are all."""
-        missing = self._interplay.missing()
+        missing = seen.interplay.missing()
         session = self.session_for(request)
+        session.begin_entry()
         try:
+            dialect = dialect_of(session, request.at)
             for pairs in missing.combinations:
-                evaluation = evaluate(session, request.at, (*request.arguments, *pairs))
-                self._given.append(evaluation.launch.given)
+                evaluation = dialect.evaluate(session, request.at, (*request.arguments, *pairs))
+                seen.given.append(evaluation.launch.given)
                 self.connected(evaluation)
         except Exception:  # what was checked stands, whatever becomes of what is beyond it
-            del self._given[len(self._graphs) :]
+            del seen.given[len(seen.graphs) :]
             return False
         return missing.whole
 
     def connected(self, evaluation: Evaluation) -> ConnectionGraph:
         """The connection graph, remembered."""
         graph = super().connected(evaluation)
-        self._graphs.append(graph)
-        self._extents.update(_extents(graph, evaluation.documents))
+        self._seen.graphs.append(graph)
+        self._seen.extents.update(_extents(graph, evaluation.documents))
         return graph
 
     def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
-        before = len(self._graphs)
-        number = len(self._given)
-        self._given.append(evaluation.launch.given)
-        self._interplay.saw(evaluation.launch)
+        seen = self._seen
+        before = len(seen.graphs)
+        number = len(seen.given)
+        seen.given.append(evaluation.launch.given)
+        seen.interplay.saw(evaluation.launch)
         for found in super()._launch_findings(evaluation, request, view):
             if isinstance(found, Finding):
-                self._told.setdefault(found.key, []).append(number)
+                seen.told.setdefault(found.key, []).append(number)
             yield found
-        if len(self._graphs) == before:  # no rule asked for it
+        if len(seen.graphs) == before:  # no rule asked for it
             self.connected(evaluation)
 
 
@@ -111,9 +149,14 @@ def survey_entries(
     progress: Progress | None = None,
     reading: ReadingProgress | None = None,
 ) -> list[Surveyed]:
-    """Each entry file surveyed, in order, as :func:`launchlint.check.run.check_entries` does: the same for any number of ``jobs``."""
+    """Each entry file surveyed, in order, as :func:`launchlint.check.run.check_entries` does: the same for any number of ``jobs``.
+
+    What those connect that are parts of others (:func:`launchlint.check.merge.parts`) is not worked out, since nobody is shown it.
+    """
     read_ahead(requests, surveyor, jobs, reading)
-    return compute(requests, surveyor, Surveyor.survey, jobs, progress)
+    surveyed = compute(requests, surveyor, Surveyor.survey_unless_part, jobs, progress)
+    kept = {id(result) for result in without_parts([each.result for each in surveyed])}
+    return [surveyor.joined(each) if each.held and id(each.result) in kept else each for each in surveyed]
 
 
 def _extents(graph: ConnectionGraph, documents: Mapping[str, Document]) -> dict[str, Span]:

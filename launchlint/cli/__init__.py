@@ -49,7 +49,7 @@ def _run(words: list[str]) -> int:
 
 
 def _command(words: list[str]) -> int:
-    """Run the command. The commonest one, on every commit, goes without click: that would take longer than the check itself."""
+    """Run the command. The commonest ones go without click where they can: that would take longer than checking a file."""
     if words and words[0] == "check":
         from launchlint.cli.plain import plain_check
 
@@ -58,6 +58,14 @@ def _command(words: list[str]) -> int:
             from launchlint.cli.checking import run_check
 
             return run_check(*plain)
+    if words and words[0] == "report":
+        from launchlint.cli.plain import plain_report
+
+        plain_page = plain_report(words[1:])
+        if plain_page is not None:
+            from launchlint.cli.reporting import run_report
+
+            return run_report(*plain_page)
     if words and words[0] == "format":  # on every save
         from launchlint.cli.formatting import plain_options, run_format
 

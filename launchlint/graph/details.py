@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.graph.connections import ConnectionGraph
@@ -56,8 +56,7 @@ def details(graphs: Sequence[ConnectionGraph]) -> Details:
     lifecycle: set[Key] = set()
     for graph in graphs:
         launch = graph.launch
-        for key, passed in _arguments(launch):
-            arguments.setdefault(key, passed)
+        _add_arguments(arguments, launch)
         for instance in graph.instances:
             node = instance.node
             if not (node.machine or instance.doubts or instance.lifecycle):
@@ -79,13 +78,16 @@ def details(graphs: Sequence[ConnectionGraph]) -> Details:
     return Details(machines, settings_of, doubts(graphs), partly, arguments, frozenset(lifecycle))
 
 
-def _arguments(launch: Launch) -> Iterator[tuple[str, tuple[IncludeArgument, ...]]]:
-    """What each include passes, and the other args of the file that it includes; linear in the args of all files."""
+def _add_arguments(arguments: dict[str, tuple[IncludeArgument, ...]], launch: Launch) -> None:
+    """Add what each further include passes, and the other args of the file that it includes; linear in the args of all files."""
     own: dict[tuple[Place, ...], dict[str, Argument]] = {}
     for argument in launch.declared:
         if not argument.passed:
             own.setdefault(argument.origin.chain, {}).setdefault(argument.name, argument)
     for include in launch.includes:
+        key = origin_text(include.origin)
+        if key in arguments:
+            continue
         known = own.get((*include.origin.chain, include.origin.place), {})
         found = []
         for name in dict.fromkeys((*include.arguments, *known)):
@@ -95,4 +97,4 @@ def _arguments(launch: Launch) -> Iterator[tuple[str, tuple[IncludeArgument, ...
                 IncludeArgument(name, None if value is None else value_text(value), None if default is None else value_text(default))
             )
         if found:
-            yield origin_text(include.origin), tuple(found)
+            arguments[key] = tuple(found)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint.library.template import UNKNOWN
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
@@ -13,7 +13,6 @@ if TYPE_CHECKING:
 
     from launchlint.graph.names import Namer
     from launchlint.model import Node
-    from launchlint.source import Place
 
 
 class Parameters:
@@ -57,9 +56,9 @@ class Parameters:
         return name in self._settings or bool(self._names_below(name))
 
     @property
-    def of_nodes(self) -> Iterator[tuple[str, str, Any, Place]]:
-        """What nodes have for themselves: node, name and value of all that is known, and where the node is written; nothing of a server."""
-        yield from ()
+    def of_nodes(self) -> Iterable[tuple[str, Node]]:
+        """The nodes that have params for themselves, by the names that they are called by; none where there is a server."""
+        return ()
 
     def below(self, name: str) -> Sequence[str]:
         """The full names of what is set below ``name``, in the order of setting."""
@@ -120,11 +119,9 @@ class NodeParameters(Parameters):
         self._own = dict(nodes)
 
     @property
-    def of_nodes(self) -> Iterator[tuple[str, str, Any, Place]]:
-        """All that is known, node by node."""
-        for full, node in self._own.items():
-            for name, (_, value) in sorted((node.own or {}).items()):
-                yield full, name, value, node.origin.place
+    def of_nodes(self) -> Iterable[tuple[str, Node]]:
+        """All of them."""
+        return self._own.items()
 
     def _value(self, name: str) -> Any:
         full, _, inner = name.partition(":")

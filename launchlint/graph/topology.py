@@ -6,6 +6,7 @@ Everything that shows, exports or compares a graph starts here. Rules look at :m
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from operator import itemgetter
 from typing import NamedTuple
 
 from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
@@ -155,22 +156,61 @@ _REFERENCES = (("&quot;", '"'), ("&apos;", "'"), ("&lt;", "<"), ("&gt;", ">"), (
 
 def topology(graphs: Iterable[ConnectionGraph]) -> Topology:
     """The record of one graph, or of several configurations of one entry file joined; takes at least one."""
-    records = [_record(graph) for graph in graphs]
-    return records[0] if len(records) == 1 else _joined(records)
+    recorded = _Recorded()
+    records = [_record(graph, recorded) for graph in graphs]
+    if len(records) > 1:
+        return _joined(records)
+    (record,) = records
+    # Two nodes of one name, which is a mistake, may say the same.
+    return record._replace(nodes=tuple(sorted(record.nodes)), connections=tuple(sorted(dict.fromkeys(record.connections))))
 
 
-def _record(graph: ConnectionGraph) -> Topology:
+class _Recorded:
+    """What was recorded of instances and nodes that several configurations share (:mod:`.earlier`): it is the same in each of them."""
+
+    def __init__(self) -> None:
+        self._nodes: dict[int, tuple[Instance, TopologyNode]] = {}
+        self._connections: dict[int, tuple[Instance, list[Connection]]] = {}
+        self._params: dict[tuple[str, int], tuple[Node, list[TopologyParam]]] = {}
+
+    def node(self, instance: Instance, containers: _Containers) -> TopologyNode:
+        """The node of one instance; the containers around it are made known."""
+        container = containers.of(instance.node)
+        known = self._nodes.get(id(instance))
+        if known is None:
+            known = self._nodes[id(instance)] = (instance, _node(instance, container))
+        return known[1]
+
+    def connections(self, instance: Instance) -> list[Connection]:
+        """Those of one instance."""
+        known = self._connections.get(id(instance))
+        if known is None:  # the instance is kept, so that its number stays its own
+            known = self._connections[id(instance)] = (instance, [_connection(endpoint) for endpoint in instance.endpoints])
+        return known[1]
+
+    def params(self, name: str, node: Node) -> list[TopologyParam]:
+        """What a node of this name has for itself."""
+        known = self._params.get((name, id(node)))
+        if known is None:
+            place = place_text(node.origin.place)
+            own = sorted((node.own or {}).items(), key=itemgetter(0))
+            params = [TopologyParam(f"{name}:{inner}", value_text(value), place, (name,), ()) for inner, (_, value) in own]
+            known = self._params[name, id(node)] = (node, params)
+        return known[1]
+
+
+def _record(graph: ConnectionGraph, recorded: _Recorded) -> Topology:
+    """The record of one graph; its nodes and connections are not sorted yet."""
     containers = _Containers(graph)
-    nodes = [_node(instance, containers) for instance in graph.instances]
-    connections = [_connection(endpoint) for instance in graph.instances for endpoint in instance.endpoints]
+    nodes = tuple(recorded.node(instance, containers) for instance in graph.instances)
     return Topology(
         graph.launch.entry.path,
         (_spelled(graph.launch.given),),
         graph.launch.complete,
-        tuple(sorted(nodes)),
+        nodes,
         tuple(_channel(channel) for channel in graph.channels.values()),
-        tuple(sorted(dict.fromkeys(connections))),  # two nodes of one name, which is a mistake, may say the same
-        tuple(_params(graph)),
+        tuple(connection for instance in graph.instances for connection in recorded.connections(instance)),
+        tuple(_params(graph, recorded)),
         tuple(containers.known[key] for key in sorted(containers.known)),
     )
 
@@ -184,7 +224,7 @@ def place_text(place: Place) -> str:
     return place.source.address(place.span.start)
 
 
-def _node(instance: Instance, containers: _Containers) -> TopologyNode:
+def _node(instance: Instance, container: str) -> TopologyNode:
     node = instance.node
     return TopologyNode(
         instance.name,
@@ -198,7 +238,7 @@ def _node(instance: Instance, containers: _Containers) -> TopologyNode:
         node.namespace.rstrip("/") or "/",
         node.is_test,
         place_text(node.places.get("name", node.origin.place)),
-        containers.of(node),
+        container,
         tuple(sorted(instance.open.items())),
         tuple(_condition(condition) for condition in node.conditions),
         (),
@@ -290,9 +330,9 @@ def _channel(channel: Channel) -> TopologyChannel:
     return TopologyChannel(channel.kind, channel.name, types, channel.name in HUBS or crowded, channel.is_plumbing)
 
 
-def _params(graph: ConnectionGraph) -> Iterable[TopologyParam]:
-    own = sorted(graph.parameters.of_nodes, key=lambda each: each[:2])
-    yield from (TopologyParam(f"{node}:{name}", value_text(value), place_text(place), (node,), ()) for node, name, value, place in own)
+def _params(graph: ConnectionGraph, recorded: _Recorded) -> Iterable[TopologyParam]:
+    for name, node in sorted(graph.parameters.of_nodes, key=itemgetter(0)):
+        yield from recorded.params(name, node)
     for name in sorted(graph.launch.parameters):
         setting = graph.launch.parameters[name]
         readers = tuple(sorted({reading.node for reading in graph.readers.get(name, ())}))
@@ -301,6 +341,8 @@ def _params(graph: ConnectionGraph) -> Iterable[TopologyParam]:
 
 def value_text(value: Any) -> str:
     """A param's value as text, at most :data:`SAMPLE` characters of it."""
+    if type(value) is str and len(value) <= SAMPLE:
+        return value
     if isinstance(value, Unknown):
         return f"unknown: {value.reason}"
     if isinstance(value, Command):
@@ -364,21 +406,55 @@ def _same_param(param: TopologyParam) -> Any:
     return (param.name, param.value, param.place)
 
 
-def _marked(columns: Sequence[tuple[Any, ...]], configurations: Sequence[str], same: Callable[[Any], Any]) -> tuple[Any, ...]:
-    """All items of all columns, the ``same`` ones once, as the first column has them.
+class _Group:
+    """Items of several configurations that count as one: what is shown of it, and the numbers of the configurations that have it."""
 
-    ``only`` says in which configurations they are, where not in all; what is certain in some of them only is not certain.
+    __slots__ = ("item", "numbers")
+
+    def __init__(self, item: Any) -> None:
+        self.item = item
+        self.numbers: list[int] = []
+
+    def take(self, item: Any, number: int) -> None:
+        """Take in one more. The first configuration that has it says what is shown, of several items there the first in order.
+
+        What is certain in some of them only is not certain; a param is read by all who read it in any of them.
+        """
+        known = self.item
+        if number == self.numbers[0] and item < known:
+            known, item = item, known
+        if isinstance(item, Connection):
+            known = known._replace(certain=False) if known.certain and not item.certain else known
+        elif isinstance(item, TopologyParam) and item.readers != known.readers:
+            known = known._replace(readers=tuple(sorted({*known.readers, *item.readers})))
+        self.item = known
+
+
+def _marked(columns: Sequence[tuple[Any, ...]], configurations: Sequence[str], same: Callable[[Any], Any]) -> tuple[Any, ...]:
+    """All items of all columns, the ``same`` ones once; ``only`` says in which configurations they are, where not in all.
+
+    Most columns share most of their items, which are looked at once.
     """
-    found: dict[Any, Any] = {}
-    where: dict[Any, list[str]] = {}
-    for column, configuration in zip(columns, configurations, strict=True):
-        for key, item in {same(item): item for item in reversed(column)}.items():
-            known = found.setdefault(key, item)
-            if isinstance(item, Connection) and known.certain and not item.certain:
-                found[key] = known._replace(certain=False)
-            elif isinstance(item, TopologyParam) and item.readers != known.readers:
-                found[key] = known._replace(readers=tuple(sorted({*known.readers, *item.readers})))
-            where.setdefault(key, []).append(configuration)
+    groups: dict[Any, _Group] = {}
+    group_of: dict[int, _Group] = {}
+    for number, column in enumerate(columns):
+        for item in column:
+            group = group_of.get(id(item))
+            if group is None:
+                key = same(item)
+                group = groups.get(key)
+                if group is None:
+                    group = groups[key] = _Group(item)
+                else:
+                    group.take(item, number)
+                group_of[id(item)] = group
+            if not group.numbers or group.numbers[-1] != number:
+                group.numbers.append(number)
     return tuple(
-        sorted(found[key] if len(names) == len(columns) else found[key]._replace(only=tuple(names)) for key, names in where.items())
+        sorted(
+            each.item
+            if len(each.numbers) == len(columns)
+            else each.item._replace(only=tuple(configurations[number] for number in each.numbers))
+            for each in groups.values()
+        )
     )
