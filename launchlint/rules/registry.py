@@ -350,7 +350,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL946", "not-in-libexec", "nodes.not_in_libexec", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),
     Entry("LL948", "absolute-remap-misses", "ros2.absolute_remap_misses", WARNING, view="graph", dialects=(ROS2,)),
-    Entry("LL949", "stops-with-error", "python.stops_with_error", ERROR, dialects=(ROS2,), ros2=("StopsWithError",)),
+    Entry("LL949", "stops-with-error", "python.stops_with_error", ERROR, dialects=(ROS2,), ros2=("StopsWithError", "NothingToPop")),
     Entry("LL950", "lifecycle-node-left-inactive", "ros2.lifecycle_node_left_inactive", WARNING, view="graph", dialects=(ROS2,)),
 )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from launchlint.evaluate.ros2 import components, including, nodes, processes, programs, setting_actions
+from launchlint.evaluate.ros2 import components, including, nodes, processes, programs, scope_actions, setting_actions
 from launchlint.evaluate.ros2.walk import Walk, tag_of
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action
@@ -16,7 +16,7 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
     described.Argument: setting_actions.argument,
     described.Let: setting_actions.let,
     described.Include: including.include,
-    described.Group: setting_actions.group,
+    described.Group: scope_actions.group,
     described.Executable: processes.executable,
     described.Node: nodes.node,
     described.LoadComponents: components.load_components,
@@ -28,8 +28,11 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
     described.SetEnvironment: setting_actions.set_environment,
     described.UnsetEnvironment: setting_actions.unset_environment,
     described.AppendEnvironment: setting_actions.append_environment,
-    described.ResetEnvironment: setting_actions.reset_environment,
-    described.Reset: setting_actions.reset,
+    described.ResetEnvironment: scope_actions.reset_environment,
+    described.ReplaceEnvironment: scope_actions.replace_environment,
+    described.Push: scope_actions.push,
+    described.Pop: scope_actions.pop,
+    described.Reset: scope_actions.reset,
     described.SetLogDirectory: setting_actions.set_log_directory,
     described.Log: setting_actions.log,
     described.Shutdown: setting_actions.shutdown,

@@ -10,6 +10,19 @@ from __future__ import annotations
 from collections.abc import Mapping, Set
 from typing import NamedTuple
 
+from launchlint.evaluate.ros2.scopes import (
+    Moment,
+    SavedConfigurations,
+    SavedEnvironment,
+    doubtful_parameters,
+    doubtful_remaps,
+    either_changes,
+    either_configurations,
+    either_environment,
+    either_setting,
+    either_stack,
+    is_same,
+)
 from launchlint.model import Remap, Unknown
 
 TYPE_CHECKING = False
@@ -112,26 +125,14 @@ class Uses:
         self.open = self.open or later.open
 
 
-class _Saved(NamedTuple):
-    configurations: dict[str, Setting]
-    remaps: list[Remap] | None
-    parameters: list[GlobalSource] | None
-    environment: dict[str, Value | None]
-    unread: bool
-    remaps_count: int
-    parameters_count: int
-    written: set[str]
-    added: set[str]
-
-
 class Context:
     """See the module.
 
     ``here`` is what ``$(dirname)`` and ``$(filename)`` say: where something hangs on it, ``place`` is asked for.
-    ``unread``: a launch file was included that is not read, and may have set configurations and variables of names that are not known; a
-    group puts that back, too. ``unread_parameters`` says the same of params, which leak out of groups. ``leaked`` are the remaps and params
-    that were set in a group whose end is passed, and are still in the lists, each by its identity. ``uses`` is what is done with the
-    configurations from now on.
+    ``unread``: a launch file was included that is not read, and may have set configurations of names that are not known; a scope puts that
+    back, too. ``unread_environment`` says the same of variables, ``unread_parameters`` of params, which leak out of scopes. ``leaked`` are
+    the remaps and params that were set in a scope whose end is passed, and are still in the lists, each by its identity. ``saved`` and
+    ``saved_environments`` are the two stacks. ``uses`` is what is done with the configurations from now on.
     """
 
     __slots__ = (
@@ -141,8 +142,10 @@ class Context:
         "leaked",
         "parameters",
         "remaps",
-        "stack",
+        "saved",
+        "saved_environments",
         "unread",
+        "unread_environment",
         "unread_parameters",
         "uses",
     )
@@ -152,30 +155,32 @@ class Context:
         self.remaps: list[Remap] | None = None
         self.parameters: list[GlobalSource] | None = None
         self.environment = Environment(session)
-        self.here: tuple[str | None, str | None] = (None, None)
-        self.stack: list[_Saved] = []
+        self.here: tuple[Value | None, Value | None] = (None, None)
+        self.saved: list[SavedConfigurations] = []
+        self.saved_environments: list[SavedEnvironment] = []
         self.unread = False
+        self.unread_environment = False
         self.unread_parameters = False
         self.leaked: dict[int, Remap | GlobalSource] = {}
         self.uses = Uses()
 
     @property
-    def directory(self) -> str | None:
+    def directory(self) -> Value | None:
         """What ``$(dirname)`` says."""
         return self.place()[0]
 
     @property
-    def file(self) -> str | None:
+    def file(self) -> Value | None:
         """What ``$(filename)`` says."""
         return self.place()[1]
 
-    def place(self) -> tuple[str | None, str | None]:
+    def place(self) -> tuple[Value | None, Value | None]:
         """What both say."""
         uses = self.uses
         uses.place_read = uses.place_read or not uses.placed
         return self.here
 
-    def enter(self, directory: str | None, file: str | None) -> None:
+    def enter(self, directory: Value | None, file: Value | None) -> None:
         """Set what both say: a file is executed now."""
         self.uses.placed = True
         self.here = (directory, file)
@@ -214,20 +219,29 @@ class Context:
 
     def include_unread(self) -> None:
         """A launch file is included that is not read: whatever is not set here may be set by it."""
-        self.unread = self.unread_parameters = True
+        self.unread = self.unread_environment = self.unread_parameters = True
 
     def push(self) -> None:
-        """Begin a scope: everything is inherited (PushLaunchConfigurations, PushEnvironment)."""
+        """Begin a scope: everything is inherited."""
+        self.push_configurations()
+        self.push_environment()
+
+    def pop(self) -> bool | None:
+        """End a scope; whether there is one to end, None where that is not known."""
+        environment = self.pop_environment()
+        return self.pop_configurations() if environment else environment
+
+    def push_configurations(self) -> None:
+        """Keep the configurations as they are (launch.LaunchContext._push_launch_configurations)."""
         uses = self.uses
-        self.stack.append(
-            _Saved(
+        self.saved.append(
+            SavedConfigurations(
                 self.configurations,
                 self.remaps,
                 self.parameters,
-                dict(self.environment.changes),
-                self.unread,
                 len(self.remaps or ()),
                 len(self.parameters or ()),
+                self.unread,
                 set(uses.written),
                 set(uses.added),
             )
@@ -235,15 +249,32 @@ class Context:
         # What waits for later keeps the configurations it was met with: those of this scope are others from here on.
         self.configurations = dict(self.configurations)
 
-    def pop(self) -> None:
-        """End a scope. The lists of remaps and params are the ones of before, with whatever was added to them inside."""
-        saved = self.stack.pop()
+    def pop_configurations(self) -> bool | None:
+        """Put back those that were kept last; whether there are any. The lists of remaps and params are the ones of before, with whatever
+        was added to them since.
+        """
+        if not self.saved:
+            return False
+        saved = self.saved.pop()
         self.configurations, self.remaps, self.parameters = saved.configurations, saved.remaps, saved.parameters
         self.leaked.update((id(each), each) for each in (self.remaps or ())[saved.remaps_count :])
         self.leaked.update((id(each), each) for each in (self.parameters or ())[saved.parameters_count :])
-        self.environment.restore(saved.environment)
         self.unread = saved.unread
         self.uses.written, self.uses.added = saved.written, saved.added
+        return saved.sure or None
+
+    def push_environment(self) -> None:
+        """Keep the environment as it is (launch.LaunchContext._push_environment)."""
+        self.saved_environments.append(SavedEnvironment(dict(self.environment.changes), self.unread_environment))
+
+    def pop_environment(self) -> bool | None:
+        """Put back the one that was kept last; whether there is any."""
+        if not self.saved_environments:
+            return False
+        saved = self.saved_environments.pop()
+        self.environment.restore(saved.changes)
+        self.unread_environment = saved.unread
+        return saved.sure or None
 
     def forget(self, keep: Mapping[str, Setting]) -> None:
         """Drop all launch configurations but ``keep`` (ResetLaunchConfigurations), remaps and params among them."""
@@ -251,6 +282,61 @@ class Context:
         self.configurations = dict(keep)
         self.remaps = None
         self.parameters = None
+
+    def moment(self) -> Moment:
+        """All that is in force now."""
+        return Moment(
+            dict(self.configurations),
+            self.remaps,
+            self.parameters,
+            tuple(self.remaps or ()),
+            tuple(self.parameters or ()),
+            dict(self.environment.changes),
+            self.unread,
+            self.unread_environment,
+            self.here,
+            tuple(self.saved),
+            tuple(self.saved_environments),
+            frozenset(self.uses.written),
+            self.uses.placed,
+        )
+
+    def doubt(self, before: Moment, reason: str) -> None:
+        """All that was done since ``before`` may not have been done: what is in force is what was then, or what is now."""
+        self._doubt_configurations(before, reason)
+        self.environment.restore(either_changes(before.environment, self.environment.changes, reason))
+        self.unread = self.unread or before.unread
+        self.unread_environment = self.unread_environment or before.unread_environment
+        if self.uses.placed and not before.placed:
+            self.uses.place_read = True
+        if self.here != before.here:
+            self.here = (Unknown("$(dirname)", reason), Unknown("$(filename)", reason))
+        self._doubt_lists(before, reason)
+        self.saved = either_stack(before.saved, self.saved, lambda one, other: either_configurations(one, other, reason))
+        self.saved_environments = either_stack(
+            before.saved_environments, self.saved_environments, lambda one, other: either_environment(one, other, reason)
+        )
+
+    def _doubt_configurations(self, before: Moment, reason: str) -> None:
+        was, now, uses = before.configurations, self.configurations, self.uses
+        for name in (*was, *(name for name in tuple(now) if name not in was)):
+            one, other = was.get(name), now.get(name)
+            if one is other:
+                continue
+            if name not in before.written:
+                uses.read.setdefault(name, one)
+            self.set(name, one if one is not None and is_same(one, other) else either_setting(name, one, other, reason))
+
+    def _doubt_lists(self, before: Moment, reason: str) -> None:
+        """What was added to the lists may be in them; where they were left for others, all that is in any of them."""
+        if self.remaps is not None and (self.remaps is before.remaps or before.remaps is None):
+            self.remaps[len(before.remaps_then) :] = doubtful_remaps(self.remaps[len(before.remaps_then) :])
+        elif self.remaps is not before.remaps:
+            self.remaps = doubtful_remaps((*before.remaps_then, *(self.remaps or ())))
+        if self.parameters is not None and (self.parameters is before.parameters or before.parameters is None):
+            self.parameters[len(before.parameters_then) :] = doubtful_parameters(self.parameters[len(before.parameters_then) :], reason)
+        elif self.parameters is not before.parameters:
+            self.parameters = doubtful_parameters((*before.parameters_then, *(self.parameters or ())), reason)
 
     @property
     def namespace(self) -> Value | None:

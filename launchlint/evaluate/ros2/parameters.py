@@ -85,12 +85,20 @@ class GlobalParameter(NamedTuple):
     origin: Origin
     meant: bool = False
 
+    def doubted(self, reason: str) -> GlobalParameter:
+        """The same where it is not known whether it is set at all."""
+        return self if isinstance(self.value, Unknown) else self._replace(value=Unknown(self.text, reason))
+
 
 class GlobalFile(NamedTuple):
     """What ``<set_parameters_from_file>`` leaves."""
 
     file: str | Unknown
     origin: Origin
+
+    def doubted(self, reason: str) -> GlobalFile:
+        """The same where it is not known whether it is set at all."""
+        return self if isinstance(self.file, Unknown) else self._replace(file=Unknown(self.file, reason))
 
 
 GlobalSource: TypeAlias = "GlobalParameter | GlobalFile"

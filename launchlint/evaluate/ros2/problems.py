@@ -7,6 +7,10 @@ from __future__ import annotations
 
 from launchlint.problem import Problem
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
+
 
 class NotABoolean(Problem):
     """A ``value`` that ``$(not …)``, ``$(and …)``, ``$(or …)`` or ``$(if …)`` cannot take for a truth value; ``text`` is all of it."""
@@ -168,3 +172,9 @@ class DirectoryOfAnother(Problem):
 
     substitution: str
     means: str
+
+
+class NothingToPop(Problem):
+    """Nothing is kept any more of ``what`` is to be put back (empty: both, at the end of a group): launch stops with an error."""
+
+    what: Literal["environment", "configurations", ""]

@@ -85,7 +85,7 @@ def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag:
             InvalidValue(origin=walk.at(at), refused=True, tag=tag, attribute="output", value=output,
                          expected="one of " + ", ".join(OUTPUTS), choices=OUTPUTS)
         )  # fmt: skip
-    return Prepared(words, label, cwd, prefix, environment, bool(respawn), output, frozenset(unknown), walk.context.unread)
+    return Prepared(words, label, cwd, prefix, environment, bool(respawn), output, frozenset(unknown), walk.context.unread_environment)
 
 
 def _environment(walk: Walk, process: described.Process, place: Place) -> dict[str, str | None]:

@@ -46,6 +46,7 @@ class Situation(NamedTuple):
 
     here: Here
     unread: bool
+    unread_environment: bool
     unread_parameters: bool
     environment: dict[str, Value | None]
     remaps: tuple[Remap, ...] | None
@@ -60,6 +61,7 @@ class Situation(NamedTuple):
         return cls(
             walk.here._replace(told=_NOTHING),
             context.unread,
+            context.unread_environment,
             context.unread_parameters,
             dict(context.environment.changes),
             None if remaps is None else tuple(remaps),
@@ -83,8 +85,8 @@ class Outcome(NamedTuple):
     names: frozenset[str] | None
     overwritten: frozenset[str]
     told: Mapping[tuple[str, tuple[str, int]], bool]
-    place: tuple[str | None, str | None] | None
-    placed: tuple[str | None, str | None] | None
+    place: tuple[Value | None, Value | None] | None
+    placed: tuple[Value | None, Value | None] | None
     asked: Mapping[tuple[int, ...], object]
     settings: tuple[tuple[str, Setting], ...]
     after: Situation
@@ -206,7 +208,7 @@ def _take_over(walk: Walk, outcome: Outcome) -> None:
     context.configurations.update(outcome.settings)
     if outcome.placed is not None:
         context.enter(*outcome.placed)
-    context.unread, context.unread_parameters = after.unread, after.unread_parameters
+    context.unread, context.unread_environment, context.unread_parameters = after.unread, after.unread_environment, after.unread_parameters
     context.environment.restore(after.environment)
     walk.looked_at += outcome.work
     for log, logged in zip(walk.logs, outcome.logged, strict=True):

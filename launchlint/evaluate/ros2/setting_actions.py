@@ -1,4 +1,4 @@
-"""Actions that change the context: configurations, scopes, namespace, environment, what is set for all nodes."""
+"""Actions that change the context: configurations, namespace, environment, what is set for all nodes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from launchlint.evaluate.ros2.performing import Failure
 from launchlint.evaluate.ros2.problems import ChoiceRefused, NeverWorks
 from launchlint.evaluate.ros2.walk import Told, Walk
 from launchlint.model import Argument as Declared
-from launchlint.model import Declaration, Remap, Scope, Unknown
+from launchlint.model import Declaration, Remap, Unknown
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Pair, Text
@@ -85,44 +85,6 @@ def configure(walk: Walk, pair: Pair, *, passed: tuple[int, ...] | None = None) 
         origin, way = before.origin, before.way  # it would have it anyway
     walk.context.set(name, Setting(value, origin, how, steer, outside, same_as(walk.performer, pair.value), way))
     return name, value
-
-
-def group(walk: Walk, action: described.Group) -> None:
-    """``<group>``: what is kept is evaluated inside (launch.actions.GroupAction)."""
-    context, outer = walk.context, walk.here
-    scoped = action.scoped is not False  # a text is always true to launch, whatever it says
-    namespace = context.namespace
-    below = namespace.rstrip("/") + "/" if isinstance(namespace, str) else "/"
-    walk.here = outer._replace(scope=Scope("group", walk.at(action.place), below, outer.scope))
-    if scoped:
-        walk.spend_on_inherited(action.place)
-        context.push()
-    if scoped and action.forwarding is False:
-        context.environment.restore({})
-        forget(walk, action.keep)
-    else:
-        for pair in action.keep:
-            configure(walk, pair)
-    walk.execute(action.actions)
-    if scoped:
-        context.pop()
-    walk.here = outer
-
-
-def reset(walk: Walk, action: described.Reset) -> None:
-    """``<reset>``."""
-    forget(walk, action.keep)
-
-
-def forget(walk: Walk, keep: tuple[Pair, ...]) -> None:
-    """Forget all launch configurations but those of ``keep``, which are evaluated before."""
-    kept: dict[str, Setting] = {}
-    for pair in keep:
-        name = walk.value(pair.name)
-        value, steer, outside = walk.known(pair.value)
-        if isinstance(name, str):
-            kept[name] = Setting(value, walk.at(pair.place), "kept", steer, outside, way=walk.here.way)
-    walk.context.forget(kept)
 
 
 def push_namespace(walk: Walk, action: described.PushNamespace) -> None:
@@ -241,11 +203,6 @@ def truth(walk: Walk, text: Text, tag: str, attribute: str) -> bool | None:
             )
         )
     return known
-
-
-def reset_environment(walk: Walk, action: described.ResetEnvironment) -> None:
-    """``<reset_env>``: as it was when launch was started."""
-    walk.context.environment.restore({})
 
 
 def set_log_directory(walk: Walk, action: described.SetLogDirectory) -> None:

@@ -112,7 +112,7 @@ def _env(performer: Performer, substitution: Substitution) -> Value:
         return value
     if default is not None:
         return default
-    if performer.context.unread:
+    if performer.context.unread_environment:
         return Unknown(substitution.place.text, UNREAD)
     raise Failure(EnvUnset(origin=performer.where(substitution.place), refused=True, variable=name))
 
@@ -170,20 +170,20 @@ def _command(performer: Performer, substitution: Substitution) -> Value:
 
 
 def _directory(performer: Performer, substitution: Substitution) -> Value:
-    if performer.context.directory is None:
-        raise Failure(NoDirectory(origin=performer.where(substitution.place), refused=True, substitution=substitution.name))
     own = os.path.dirname(os.path.abspath(substitution.place.source.file))
     return _judged(performer, substitution, performer.context.directory, own)
 
 
 def _file(performer: Performer, substitution: Substitution) -> Value:
-    if performer.context.file is None:
-        raise Failure(NoDirectory(origin=performer.where(substitution.place), refused=True, substitution=substitution.name))
     return _judged(performer, substitution, performer.context.file, os.path.abspath(substitution.place.source.file))
 
 
-def _judged(performer: Performer, substitution: Substitution, means: str, own: str) -> str:
+def _judged(performer: Performer, substitution: Substitution, means: Value | None, own: str) -> Value:
     """What it means, which is told where that is not what stands for it in its ``own`` file."""
+    if means is None:
+        raise Failure(NoDirectory(origin=performer.where(substitution.place), refused=True, substitution=substitution.name))
+    if isinstance(means, Unknown):
+        return means
     if means != own and performer.session.is_launch_file(substitution.place.source.file):
         origin = performer.where(substitution.place)
         performer.notice(DirectoryOfAnother(origin=origin, substitution=substitution.name, means=performer.session.shown(means)))

@@ -69,6 +69,9 @@ _TAGS: dict[type, str] = {
     described.UnsetEnvironment: "unset_env",
     described.AppendEnvironment: "append_env",
     described.ResetEnvironment: "reset_env",
+    described.ReplaceEnvironment: "rep_env",
+    described.Push: "push",
+    described.Pop: "pop",
     described.Reset: "reset",
     described.SetLogDirectory: "set_ros_log_dir",
     described.Log: "log",
@@ -155,8 +158,8 @@ class Body(NamedTuple):
     kind: str
     actions: tuple[Action, ...]
     here: Here
-    directory: str | None
-    launch_file: str | None
+    directory: Value | None
+    launch_file: Value | None
     configurations: Mapping[str, Setting]
     target: Place | None = None
 
@@ -380,16 +383,9 @@ class Walk:
 
     def doubtfully(self, work: Callable[[], None], reason: str) -> None:
         """Do what may not be done in a launch: what it sets is not known behind it."""
-        context = self.context
-        configurations, environment = dict(context.configurations), dict(context.environment.changes)
+        before = self.context.moment()
         work()
-        for name, setting in context.configurations.items():
-            if configurations.get(name) is not setting:
-                unknown = Unknown(name, reason)
-                context.set(name, setting._replace(value=unknown, steer=setting.steer, same=None))
-        for name in context.environment.changes:
-            if name not in environment or environment[name] != context.environment.changes[name]:
-                context.environment.set(name, Unknown(name, reason))
+        self.context.doubt(before, reason)
 
     def judge(self, condition: described.Condition, tag: str, element: Place) -> Condition | None:
         """The condition as one that was met, None where it does not hold. One of unknown value is taken to hold."""

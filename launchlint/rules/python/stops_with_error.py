@@ -4,7 +4,8 @@
 values of its arguments does so on purpose: it is told only of what happens without arguments. It is an info where a function asked for a
 launch configuration before that is empty, or that nobody sets here: such a file wants an arg, or is made to be included. So it is where the
 program itself raises the exception after it has looked for a package that is not here, or asked for an environment variable that is not
-set: these may be there where it is started.
+set: these may be there where it is started. It is told, too, of a `PopLaunchConfigurations` or `PopEnvironment` before which nothing was
+pushed: launch raises an exception there.
 
 ## Why it matters
 
@@ -41,6 +42,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.ros2.problems import NothingToPop
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.python_text import level, shown
@@ -49,13 +51,17 @@ from launchlint.rules.view import LaunchView
 from launchlint.syntax.ros2.python.problems import StopsWithError
 
 RULE = Rule("LL949", "stops-with-error", Severity.ERROR, roslaunch="refuses")
+_PUSHES = {"configurations": "PushLaunchConfigurations", "environment": "PushEnvironment"}
 _LACKING = frozenset(("FileNotFoundError", "IsADirectoryError", "NotADirectoryError"))
 _LACKING_STATED = "ParameterBuilderFileNotFoundError"
 """What a build may mend that puts files where there are none in the sources: as Python says it, and as launch_param_builder does."""
 
 
-def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[Finding]:
     """Say which exception it is. A build may make a file that is not here, a file that includes this one may set a configuration."""
+    if isinstance(problem, NothingToPop):
+        yield _nothing_to_pop(problem)
+        return
     if problem.called and view.launch.given:
         return
     root = root_of(problem.place.source)
@@ -82,4 +88,20 @@ def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
         related=problem.related,
         notes=notes,
         cause=f"{problem.place.source.path} {problem.place.span.start} {what}",
+    )
+
+
+def _nothing_to_pop(problem: NothingToPop) -> Finding:
+    pushed = _PUSHES.get(problem.what, "")
+    what = f"{pushed.replace('Push', 'Pop')} has nothing to pop" if pushed else "this group has nothing to put back at its end"
+    return RULE.at(
+        problem.origin,
+        what,
+        severity=level(problem),
+        label="here",
+        notes=("ros2 launch stops there with a RuntimeError: the stack is empty",),
+        help=f"add {pushed}() before what it is to put back"
+        if pushed
+        else "take out the PopLaunchConfigurations or PopEnvironment inside it that has no push",
+        cause=f"{problem.place.source.path} {problem.place.span.start} nothing to pop",
     )

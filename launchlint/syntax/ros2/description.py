@@ -344,6 +344,30 @@ class ResetEnvironment(NamedTuple):
     condition: Condition | None = None
 
 
+class ReplaceEnvironment(NamedTuple):
+    """``ReplaceEnvironmentVariables`` (Python only): from here on the environment is ``variables``, and nothing else."""
+
+    variables: tuple[Pair, ...]
+    place: Place
+    condition: Condition | None = None
+
+
+class Push(NamedTuple):
+    """``PushEnvironment``, ``PushLaunchConfigurations`` (Python only): they are kept, as at the beginning of a group."""
+
+    what: Literal["environment", "configurations"]
+    place: Place
+    condition: Condition | None = None
+
+
+class Pop(NamedTuple):
+    """``PopEnvironment``, ``PopLaunchConfigurations`` (Python only): those that were kept last are put back, as at the end of a group."""
+
+    what: Literal["environment", "configurations"]
+    place: Place
+    condition: Condition | None = None
+
+
 class Reset(NamedTuple):
     """``<reset>``: forgets the launch configurations but those in ``keep``."""
 
@@ -460,7 +484,8 @@ class Fails(NamedTuple):
 Action: TypeAlias = (
     "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
     " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
-    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Transition | Opaque | Unset | Maybe | Open | Unsettled | Fails"
+    " | ReplaceEnvironment | Push | Pop | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Transition | Opaque | Unset"
+    " | Maybe | Open | Unsettled | Fails"
 )
 
 

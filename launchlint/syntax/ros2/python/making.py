@@ -409,6 +409,13 @@ def _reset(maker: Maker, given: Given, place: Place) -> Action:
     return described.Group((made, described.Open("which launch configurations are kept is not known", place)), False, True, (), place)
 
 
+def _replace(maker: Maker, given: Given, place: Place) -> Action:
+    variables = given.get("environment")
+    if variables is not None and not pairs(variables)[1]:
+        return described.Open("which environment variables there are from here on is not known", place)
+    return described.ReplaceEnvironment(maker.pairs(variables, at(given, "environment")), place, condition(given, maker.texts))
+
+
 def _log(maker: Maker, given: Given, place: Place) -> Action:
     return described.Log(maker.texts.text(given["msg"], at(given, "msg")), None, place, condition(given, maker.texts))
 
@@ -432,6 +439,11 @@ _MAKE: Mapping[str, Callable[[Maker, Given, Place], Action]] = {
     "SetEnvironmentVariable": _of(described.SetEnvironment, "name", "value"),
     "UnsetEnvironmentVariable": _of(described.UnsetEnvironment, "name"),
     "AppendEnvironmentVariable": _append,
+    "PushEnvironment": lambda maker, given, place: described.Push("environment", place, condition(given, maker.texts)),
+    "PopEnvironment": lambda maker, given, place: described.Pop("environment", place, condition(given, maker.texts)),
+    "PushLaunchConfigurations": lambda maker, given, place: described.Push("configurations", place, condition(given, maker.texts)),
+    "PopLaunchConfigurations": lambda maker, given, place: described.Pop("configurations", place, condition(given, maker.texts)),
+    "ReplaceEnvironmentVariables": _replace,
     "ResetEnvironment": _of(described.ResetEnvironment),
     "ResetLaunchConfigurations": _reset,
     "SetROSLogDir": _of(described.SetLogDirectory, "new_log_dir"),

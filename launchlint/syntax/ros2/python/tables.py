@@ -41,7 +41,12 @@ launch.LaunchContext * argv= noninteractive=
 launch.actions.SetEnvironmentVariable name value +
 launch.actions.UnsetEnvironmentVariable name +
 launch.actions.AppendEnvironmentVariable name value prepend= separator= +
+launch.actions.PushEnvironment +
+launch.actions.PopEnvironment +
 launch.actions.ResetEnvironment +
+launch.actions.ReplaceEnvironmentVariables environment= +
+launch.actions.PushLaunchConfigurations +
+launch.actions.PopLaunchConfigurations +
 launch.actions.TimerAction * period actions cancel_on_shutdown= +
 launch.actions.Shutdown * reason= due_to_sigint= +
 launch_ros.actions.Node * name= namespace= +node
