@@ -216,3 +216,26 @@ def test_a_context_that_a_program_makes_itself_knows_what_every_launch_knows(tmp
 def test_a_context_that_a_program_makes_itself_has_no_configurations(tmp_path: Path) -> None:
     body = "def generate_launch_description():\n    return LaunchDescription([node(LaunchConfiguration('x').perform(LaunchContext()))])\n"
     assert isinstance(launched(tmp_path, body).refused, UndeclaredArg)
+
+
+@pytest.mark.parametrize(
+    "items",
+    [
+        "GroupAction(node(each) for each in ('a', 'b'))",
+        "GroupAction(made())",
+        "TimerAction(period=1.0, actions=(node(each) for each in 'ab'))",
+        "GroupAction(map(node, ['a', 'b']))",
+        "OpaqueFunction(function=lambda context: made())",
+        "OpaqueFunction(function=lambda context: (node(each) for each in 'ab'))",
+    ],
+)
+def test_launch_takes_all_that_a_generator_gives(items: str, tmp_path: Path) -> None:
+    launch = launched(tmp_path, described(items, "def made():\n    for each in 'ab':\n        yield node(each)\n"))
+    assert (names(launch), launch.complete, launch.settled) == (["a", "b"], True, True)
+
+
+def test_a_generator_gives_the_args_of_an_include(tmp_path: Path) -> None:
+    before = "def made():\n    yield 'name', 'passed'\n"
+    include = "IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'other.launch.xml'), launch_arguments=made())"
+    other = '<launch><arg name="name" default="own"/><node pkg="pk" exec="e" name="$(var name)"/></launch>'
+    assert names(launched(tmp_path, described(include, before), {"other.launch.xml": other})) == ["passed"]

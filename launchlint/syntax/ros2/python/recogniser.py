@@ -10,6 +10,7 @@ from typing import Any
 from launchlint.python import builtins, standard
 from launchlint.python.call import Call
 from launchlint.python.failures import Raised
+from launchlint.python.letter import LATER
 from launchlint.python.values import (
     COMPLETE,
     ITEMS,
@@ -64,6 +65,8 @@ _BEHAVIOUR = frozenset(("execute", "visit", "perform", "evaluate", "get_sub_enti
 """Methods with which a class does something else than the class of launch that it is made of."""
 _IN_ANY_ORDER = ("actions", "initial_entities", "entities", "composable_node_descriptions")
 """Arguments that are lists of what stands side by side."""
+_GONE_THROUGH = (*_IN_ANY_ORDER, "launch_arguments")
+"""Arguments that may be anything that can be gone through."""
 PACKAGES, EVENT = "packages", "event"
 """All packages that are installed; an event, or what says which one is meant: they come to nothing that would be known beforehand."""
 _YAML = Reader("launch", longest=1_000_000)
@@ -224,6 +227,10 @@ class LaunchRecogniser:
 
     def _object(self, known: Signature, given: Given) -> Handle:
         """An object of a class of launch, as it is now; what its constructor would not take is noted, and left out."""
+        for name, value in given.values.items():
+            if isinstance(value, Seq) and LATER in value.content and name not in _GONE_THROUGH:
+                self._run.risks += 1  # most arguments have to be lists
+            self._gone_through(value)
         for problem in (*wrong_shape(given, self._outside.meant), *wrong_values(given)):
             self._run.record(problem)
         kind = known.name.rpartition(".")[2]
@@ -238,6 +245,13 @@ class LaunchRecogniser:
             values["initial_entities"] = Seq([])
         places = {name: inside(given.where(name)) for name in given.values}
         return Handle(kind, {**values, "place": given.whole, "places": places})
+
+    def _gone_through(self, value: Value, depth: int = 0) -> None:
+        """Take all that generators give: the classes of launch go through them when they are made, or soon after."""
+        if isinstance(value, Seq) and depth <= _DEEPEST:
+            self._run.force(value)
+            for each in value.items:
+                self._gone_through(each, depth + 1)
 
     def _directory(self, shared: bool, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
         package = positional[0] if positional else keywords.get("package_name", UNKNOWN)

@@ -191,6 +191,8 @@ class Caller:
         before, risks = len(run.problems), run.risks
         try:
             made = run.call(function, positional, dict(keywords), ast.Pass(lineno=1, col_offset=0), self._scope)
+            if isinstance(made, Seq):
+                run.force(made)
             actions = self.maker.actions(made, place)
             risky = (
                 (described.Unsettled("what a function asks of code that is not looked into may fail", place),) if run.risks > risks else ()
