@@ -13,6 +13,8 @@ from launchlint.source import Place, Source, Span
 
 LONGEST_LINE = 4_000
 """Characters of a line that a finding carries; terminals show a few hundred."""
+_MOST_RESOLVED = 5_000
+"""Places of one text that are kept resolved."""
 
 
 class Severity(IntEnum):
@@ -59,8 +61,18 @@ class Location(NamedTuple):
 
     @classmethod
     def of(cls, place: Place) -> Location:
-        """Resolve ``place``."""
+        """Resolve ``place``, once for each: many findings have one place, in other configurations and as that of an include."""
         source, span = place
+        known: Location | None = source.resolved.get(span)
+        if known is None:
+            known = cls._resolved(source, span)
+            if len(source.resolved) < _MOST_RESOLVED:
+                source.resolved[span] = known
+        return known
+
+    @classmethod
+    def _resolved(cls, source: Source, span: Span) -> Location:
+        """What :meth:`of` gives, worked out."""
         first, last = source.position(span.start), source.position(span.end)
         text = source.line(first.line, LONGEST_LINE) if first.column <= LONGEST_LINE else ""
         return cls(source.path, first.line, first.column, last.line, last.column, span.start, span.end, text)

@@ -10,6 +10,10 @@ import re
 from bisect import bisect_right
 from typing import NamedTuple
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 _LINE_END = re.compile(r"\r\n|\n|\r")
 
 
@@ -32,10 +36,11 @@ class Source:
 
     ``path`` is what people see (relative, with ``/``); ``file`` is the name under which
     the file was opened, as roslaunch would spell it; ``text`` is the decoded content with its line
-    ends as they are on disk (a byte order mark is not part of it).
+    ends as they are on disk (a byte order mark is not part of it). ``resolved`` are the spans of which findings speak, as
+    :class:`launchlint.finding.Location` has them.
     """
 
-    __slots__ = ("_addresses", "_line_starts", "file", "path", "text")
+    __slots__ = ("_addresses", "_line_starts", "file", "path", "resolved", "text")
 
     def __init__(self, path: str, text: str, file: str | None = None) -> None:
         self.path = path
@@ -43,6 +48,7 @@ class Source:
         self.file = path if file is None else file
         self._line_starts: list[int] | None = None
         self._addresses: dict[int, str] = {}
+        self.resolved: dict[Span, Any] = {}
 
     def __repr__(self) -> str:
         return f"Source({self.path!r})"

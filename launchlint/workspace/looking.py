@@ -16,6 +16,7 @@ MOST_NAMES = 2_000
 
 LARGEST_FILE = 1 << 20
 """Bytes: as :data:`launchlint.workspace.reading.LARGEST_FILE`."""
+_MANY = 50
 ALL_BELOW = "**"
 _OF_NPM = "node_modules"
 _PYTHON_ENVIRONMENT = "pyvenv.cfg"
@@ -25,11 +26,33 @@ PART = "//"
 T = TypeVar("T")
 
 
+class _Looked(set[str]):
+    """What was looked at. ``wholes`` are large sets of which all has been added, by identity: a whole workspace is noted often."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.wholes: dict[int, frozenset[str]] = {}
+
+    def update(self, *several: Iterable[str]) -> None:
+        """Add what is in ``several``."""
+        for paths in several:
+            if not isinstance(paths, frozenset) or len(paths) < _MANY:
+                super().update(paths)
+            elif id(paths) not in self.wholes:
+                super().update(paths)
+                self.wholes[id(paths)] = paths
+
+    def clear(self) -> None:
+        """Forget all."""
+        super().clear()
+        self.wholes.clear()
+
+
 class _Account(_local):
     """What a thread looked at: by everything, then by each piece of work inside of another that is watched."""
 
     def __init__(self) -> None:
-        self.noted: list[set[str]] = [set()]
+        self.noted: list[_Looked] = [_Looked()]
 
 
 _account = _Account()
@@ -120,7 +143,7 @@ def noted() -> frozenset[str]:
 
 def watched(work: Callable[[], T]) -> tuple[T, frozenset[str]]:
     """What ``work`` gives, and what it looked at; that stays noted."""
-    _account.noted.append(set())
+    _account.noted.append(_Looked())
     try:
         result = work()
     finally:
@@ -129,7 +152,7 @@ def watched(work: Callable[[], T]) -> tuple[T, frozenset[str]]:
     return result, looked
 
 
-class _Deaf(set[str]):
+class _Deaf(_Looked):
     """An account in which nothing is noted."""
 
     def add(self, _: str) -> None:

@@ -7,17 +7,17 @@ from collections import Counter
 
 from launchlint.evaluate.assemble import Evaluation, not_loadable
 from launchlint.evaluate.ros2.actions import execute
+from launchlint.evaluate.ros2.executed_files import ExecutedFiles, executed_files
 from launchlint.evaluate.ros2.including import enter
 from launchlint.evaluate.ros2.judged_keys import for_nobody
 from launchlint.evaluate.ros2.leaving import undeclared
-from launchlint.evaluate.ros2.passing import useless
 from launchlint.evaluate.ros2.performing import rules_of
 from launchlint.evaluate.ros2.programs import Live
 from launchlint.evaluate.ros2.same_names import duplicates
 from launchlint.evaluate.ros2.walk import Exhausted, Walk
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
-from launchlint.model import ROS2, Followed, Launch, ListedArgument, ScopedSetting
+from launchlint.model import ROS2, Followed, Launch, ScopedSetting
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.problems import UnreadableFile
 from launchlint.syntax.ros2.description import Open, Unsettled
@@ -62,22 +62,24 @@ def evaluate(
         evaluation = not_loadable(source, None, given, problem)
         launch = evaluation.launch._replace(dialect=ROS2, distro=walk.rules.distro, named_by=session.named_by, named=session.meant.named)
         return evaluation._replace(launch=launch)
+    files: ExecutedFiles | None = None
     try:
         enter(walk, file, known, dict(given))
         walk.finish()
         walk.here = walk.here._replace(assumed=False)
         for told in for_nobody(walk.receivers, walk.performer):
             walk.record_once(told)
-        for told in undeclared(walk):
+        files = executed_files(walk, known.description)
+        for told in undeclared(walk, files):
             walk.record(told)
         for told in duplicates(walk.nodes):
             walk.record(told)
-        for told in useless(walk.entered, session):
+        for told in files.useless:
             walk.record(told)
     except Exhausted as exhausted:
         walk.record(exhausted.args[0])
         walk.exhausted = True
-    return _evaluation(walk, known, given, session)
+    return _evaluation(walk, known, given, files or ExecutedFiles(walk, known.description))
 
 
 def fresh(session: Session, file: str) -> LiveContext:
@@ -111,7 +113,8 @@ def _settings(walk: Walk) -> Iterator[ScopedSetting]:
         yield ScopedSetting("remap", remap.source, remap, remap.origin, reached[remap.origin.place.key], (), None, conditions)
 
 
-def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], session: Session) -> Evaluation:
+def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], files: ExecutedFiles) -> Evaluation:
+    session = walk.session
     launch = Launch(
         entry=known.source,
         arguments=dict(given),
@@ -137,10 +140,7 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], 
         named_by=session.named_by,
         named=session.meant.named,
         programs=tuple(walk.programs),
-        listed=tuple(
-            ListedArgument(shown.argument.name, shown.argument.default is None, shown.conditional, shown.argument.place)
-            for shown in walk.lister.list_executed(known.description, walk.executed).values()
-        ),
+        listed=files.listed,
         late=tuple(walk.late),
         settled=not walk.unsettled,
         followed=tuple(_followed(walk)),

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
-from launchlint.evaluate.ros2.names_read import OF_LAUNCH, Names, names_of, parts_of
+from launchlint.evaluate.ros2.executed_files import is_python
+from launchlint.evaluate.ros2.names_read import OF_LAUNCH, parts_of
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import Failure, Performer
 from launchlint.evaluate.ros2.problems import DefaultOverruled, LeaksFromGroup, NamespaceLeft, ScopeLost, UndeclaredRead
@@ -19,11 +20,11 @@ from launchlint.syntax.ros2.description import Action, Description, Substitution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.executed_files import ExecutedFiles
     from launchlint.evaluate.ros2.walk import Walk
     from launchlint.problem import Problem
 
 _MOST_WORK = 200_000
-_PYTHON = ".py"
 _FROM_FILE = "set_parameters_from_file"
 _STARTS = (described.Node, described.Include, described.LoadComponents, described.Executable)
 
@@ -82,24 +83,24 @@ def tell_nobody(problem: Problem) -> None:
     """What is only looked at in advance, or once more, is told of elsewhere."""
 
 
-def undeclared(walk: Walk) -> Iterator[Problem]:
-    """What included files read and neither declare nor set, nor any file that they include: only who includes them does."""
+def undeclared(walk: Walk, files: ExecutedFiles) -> Iterator[Problem]:
+    """What included files read and neither declare nor set, nor any file that they include: only who includes them does.
+
+    ``files`` are those that were executed.
+    """
     executed = walk.executed
     foreign: dict[tuple[tuple[int, ...], str], tuple[Origin, Setting]] = {}
     for way, name, origin, setting in walk.performer.foreign:
         foreign.setdefault((way, name), (origin, setting))
     if len(foreign) * len(executed) > _MOST_WORK:
         return
-    below: dict[tuple[int, ...], list[Names] | None] = {}
     for (way, name), (origin, setting) in foreign.items():
         description = executed.get(way)
         if description is None or setting.origin is None or name in OF_LAUNCH or name.startswith("anon"):
             continue
-        if _is_python(description):
+        if is_python(description):
             continue
-        if way not in below:
-            below[way] = _below(walk, way)
-        known = below[way]
+        known = files.names_below(way)
         if known is None or any(name in names.declared or name in names.set for names in known):
             continue
         yield UndeclaredRead(
@@ -109,19 +110,6 @@ def undeclared(walk: Walk) -> Iterator[Problem]:
             setter=setting.origin.place.source.path,
             left=setting.is_left_at(way) and _starts_something(walk, setting.way),
         )
-
-
-def _below(walk: Walk, way: tuple[int, ...]) -> list[Names] | None:
-    """What a file and those that it includes declare and set, under whatever condition; None where that may be anything."""
-    if any(each.description is None and each.way[: len(way)] == way for each in walk.entered):
-        return None
-    descriptions = [description for other, description in walk.executed.items() if other[: len(way)] == way]
-    found = [walk.session.once(description, names_of) for description in descriptions]
-    return None if any(names.open and _is_python(each) for names, each in zip(found, descriptions, strict=True)) else found
-
-
-def _is_python(description: Description) -> bool:
-    return description.place.source.file.endswith(_PYTHON)
 
 
 def note_leaks(walk: Walk, place: Place, node: str) -> None:

@@ -54,6 +54,9 @@ class _Below(NamedTuple):
     passed: Names
 
 
+_NOTHING = _Below((), frozenset())
+
+
 class Listings:
     """What has been listed for one entry file, by file and by what the environment was."""
 
@@ -131,27 +134,31 @@ class Lister:
 
     def _included(self, include: Include) -> _Below:
         """What the file of an include adds; nothing where it cannot be told, or includes itself."""
-        nothing = _Below((), frozenset())
-        changes = self._changes()
-        again = (id(include), changes)
-        if not self._open and again in self._kept.included:
-            return self._kept.included[again]
+        if self._open:
+            return self._found(include)
+        again = (id(include), self._changes())
+        known = self._kept.included.get(again)
+        if known is None:
+            known = self._kept.included[again] = self._found(include)
+        return known
+
+    def _found(self, include: Include) -> _Below:
+        """The same, looked for; what a file adds is kept by its name."""
         try:
             file = self._performer.perform(include.file)
         except Failure:
-            return nothing
+            return _NOTHING
         if isinstance(file, Unknown) or file in self._open:
-            return nothing
-        key = (file, changes)
+            return _NOTHING
+        key = (file, self._changes())
         known = self._kept.below.get(key)
         if known is None:
             description = self._read(file)
             if description is None:
-                return nothing
+                return _NOTHING
             self._open.add(file)
             known = self._kept.below[key] = self._all_below(description)
             self._open.remove(file)
-        self._kept.included[again] = known
         return known
 
     def _all_below(self, description: Description) -> _Below:

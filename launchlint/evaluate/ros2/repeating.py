@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Set
 
     from launchlint.evaluate.ros2.context import Value
+    from launchlint.evaluate.ros2.executed_files import ExecutedFiles
     from launchlint.evaluate.ros2.parameters import GlobalSource
     from launchlint.evaluate.ros2.walk import Here, Walk
     from launchlint.model import Remap
@@ -133,11 +134,12 @@ def _is_same(one: Setting | None, other: Setting | None) -> bool:
 
 
 class Repeats:
-    """The outcomes of all configurations of one entry file."""
+    """The outcomes of all configurations of one entry file; ``files`` are the sets of files that were executed, the last one first."""
 
     def __init__(self) -> None:
         self._known: dict[Key, list[Outcome]] = {}
         self.listings = Listings()
+        self.files: list[ExecutedFiles] = []
         self._steps: dict[tuple[int, int], IncludeStep] = {}
 
     def step(self, place: Place, parent: IncludeStep | None) -> IncludeStep:
