@@ -100,6 +100,10 @@ CASES = {
         f'<arg name="a" default="0"/><let name="f" value="$(if $(var a) b c)"/>{INCLUDE.format("$(var f)")}{INCLUDE.format("$(var f)")}',
         NODE,
     ),
+    "an arg that nobody reads": (
+        f'<arg name="a" default="0"/><include file="{FILE.format("b")}"><arg name="$(if $(var a) x y)" value="1"/></include>',
+        '<arg name="x" default="2"/><node pkg="pk" exec="n" args="$(var x)"/>',
+    ),
     "a file that is not there": (
         f'<arg name="a" default="0"/><group if="$(var a)">{INCLUDE.format("none")}</group>{INCLUDE.format("b")}',
         '<node pkg="pk" exec="n" args="$(var x)"/>',
