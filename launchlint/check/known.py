@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Set
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
 
 from launchlint.finding import Key
 from launchlint.rules.view import EntrySummary
 from launchlint.workspace.packages import Packages
 
 
-class Known(NamedTuple):
+@dataclass(frozen=True)
+class Known:
     """The packages, the directory that shown paths are relative to (``root``), and which entry files show what.
 
     ``reached``: by key of a finding the paths of the entry files that show it; a finding about a file alone is not among them.
@@ -27,3 +29,13 @@ class Known(NamedTuple):
     def file(self, path: str) -> str:
         """The absolute path of a shown one."""
         return os.path.abspath(os.path.join(self.root, path))
+
+    @cached_property
+    def included_by(self) -> Mapping[str, Set[str]]:
+        """By path of a launch file the other entry files that lead there."""
+        found: dict[str, set[str]] = {}
+        for entry in self.entries:
+            for path in entry.included:
+                if path != entry.path:
+                    found.setdefault(path, set()).add(entry.path)
+        return found

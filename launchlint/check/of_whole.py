@@ -7,7 +7,7 @@ the file may still lack what was meant. So that is worth knowing, and no more.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
@@ -18,23 +18,17 @@ _ABSENT = frozenset(("LL612", "LL613", "LL614"))
 
 def judged_by_whole(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
     """``findings``, those about missing partners as information that no launch file shows which includes the one that does."""
-    includers: dict[str, set[str]] | None = None
+    refused = {entry.path for entry in known.entries if entry.refused}
     for finding in findings:
         if finding.severity is Severity.WARNING and finding.rule in _ABSENT:
-            includers = _includers(known) if includers is None else includers
             alone = known.reached.get(finding.key, frozenset())
-            around = [includers.get(path, set()) - alone for path in sorted(alone)]
+            around = [_wholes(path, known, refused) - alone for path in sorted(alone)]
             if around and all(around):
                 finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(min(around[0]))))
         yield finding
 
 
-def _includers(known: Known) -> dict[str, set[str]]:
-    """By path of a launch file the entry files that lead there; of those that roslaunch refuses only those to files that it refuses."""
-    refused = {entry.path for entry in known.entries if entry.refused}
-    found: dict[str, set[str]] = {}
-    for entry in known.entries:
-        for path in entry.included:
-            if path != entry.path and (entry.path not in refused or path in refused):
-                found.setdefault(path, set()).add(entry.path)
-    return found
+def _wholes(path: str, known: Known, refused: Set[str]) -> Set[str]:
+    """The entry files that lead to a launch file; of those that roslaunch refuses only those to files that it refuses."""
+    around = known.included_by.get(path, frozenset())
+    return around if path in refused else around - refused

@@ -28,4 +28,4 @@ def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[F
 
 def _is_overridden_everywhere(alone: Set[str], known: Known) -> bool:
     """Whether of the entry files that come to it each is included by one that does not: the defaults of the first count for nobody."""
-    return bool(alone) and all(any(path in each.included and each.path not in alone for each in known.entries) for path in alone)
+    return bool(alone) and all(known.included_by.get(path, frozenset()) - alone for path in alone)
