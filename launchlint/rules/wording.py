@@ -135,3 +135,7 @@ def words_of(path: str) -> Words:
 def _scalar(value: str) -> str:
     """``value`` as YAML has to write it for launch, which wants a text: what would be another thing stands in quotes."""
     return f"'{value}'" if value in ("true", "false") or not value or not value.strip("0123456789.") else value
+
+
+SHARED = "other programs are given the file, too: one of them may make a node of that name beside its own"
+"""Of a parameter file in which nothing is for the node that it is given to."""

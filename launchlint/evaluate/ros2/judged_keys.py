@@ -44,6 +44,11 @@ def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Proble
     named = {each.full_name for each in receivers if each.full_name is not None}
     last_names = {name.rpartition("/")[2] for name in named}
     nameless = {given.file for each in receivers if each.full_name is None for given in each.passed}
+    users: dict[str | None, set[str]] = {}
+    for each in receivers:
+        for given in each.passed:
+            users.setdefault(given.file, set()).add(each.program or each.full_name or "")
+    shared = frozenset(file for file, programs in users.items() if len(programs) > 1)
     reaching: dict[str, bool] = {}
 
     def reaches_any(key: str) -> bool:
@@ -53,22 +58,32 @@ def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Proble
 
     for receiver in receivers:
         if receiver.full_name is None or receiver.anonymous:
-            yield from _unnamed(receiver, reaches_any, asks)
+            yield from _unnamed(receiver, reaches_any, asks, shared)
             continue
         for given in receiver.passed:
             if given.file is None or given.file.startswith(WRITTEN) or given.unknown or given.file in nameless or given.given is not None:
                 continue
             table = table_of(given.file, asks)
-            if isinstance(table, Table) and table.keys:
+            if isinstance(table, Table) and table.keys and not _of_costmaps(table):
                 for problem in _of_file(table, given, receiver.full_name, last_names, reaches_any):
                     if receiver.composable:
                         problem = problem.without_wildcards()
+                    if given.file in shared:
+                        problem = problem.among_others()
                     # What a container is given counts for all nodes in it, those that somebody else loads as well.
                     if problem.near == "namespace" or not receiver.host:
                         yield problem
 
 
-def _unnamed(receiver: Receiver, reaches_any: _Reaches, asks: Performs) -> Iterator[Problem]:
+def _of_costmaps(table: Table) -> bool:
+    """Whether all keys of a file are those of costmaps of nav2: nodes in the process of a server, each in a namespace with its own name
+    (the constructor of ``nav2_costmap_2d::Costmap2DROS``).
+    """
+    names = [key.name.strip("/").split("/") for key in table.keys.values() if key.parameters]
+    return bool(names) and all(len(parts) > 1 and parts[-1] == parts[-2] for parts in names)
+
+
+def _unnamed(receiver: Receiver, reaches_any: _Reaches, asks: Performs, shared: frozenset[str | None]) -> Iterator[Problem]:
     """Files in which all that may be for a node stands under a name that it is not given."""
     namespace = receiver.namespace.rstrip("/")
     for given in receiver.passed:
@@ -77,7 +92,7 @@ def _unnamed(receiver: Receiver, reaches_any: _Reaches, asks: Performs) -> Itera
             if given.file is None or given.file.startswith(WRITTEN) or given.unknown or given.given is not None
             else table_of(given.file, asks)
         )
-        if not isinstance(table, Table):
+        if not isinstance(table, Table) or _of_costmaps(table):
             continue
         keys = [key.name for key in table.keys.values() if key.parameters][:_MOST_LOOKED_AT]
         if not keys or any("*" in key for key in keys) or any(reaches_any(key) for key in keys):
@@ -91,6 +106,7 @@ def _unnamed(receiver: Receiver, reaches_any: _Reaches, asks: Performs) -> Itera
             namespace=namespace or "/",
             anonymous=receiver.anonymous,
             certain=not fits,
+            shared=given.file in shared,
         )
 
 

@@ -114,7 +114,7 @@ class ParametersForNobody(Problem):
 
     ``reached``: something else in the file does. ``near``: the key is that of another namespace (``namespace``) or nearly the name
     (``spelling``); empty: it has nothing to do with the node. ``keys`` are those of the file. ``wildcards``: a key may have others than
-    ``/**`` for this node.
+    ``/**`` for this node. ``shared``: other programs are given the file, too.
     """
 
     file: str
@@ -124,17 +124,22 @@ class ParametersForNobody(Problem):
     reached: bool
     keys: tuple[str, ...]
     wildcards: bool = True
+    shared: bool = False
 
     def without_wildcards(self) -> ParametersForNobody:
         """The same for a composable node."""
         return ParametersForNobody(**vars(self) | {"wildcards": False})
+
+    def among_others(self) -> ParametersForNobody:
+        """The same of a file that other programs are given, too."""
+        return ParametersForNobody(**vars(self) | {"shared": True})
 
 
 class NamedForUnnamed(Problem):
     """A ``file`` of params under names (``keys``) that is given to a node whose name the launch does not say: its ``program`` has one.
 
     ``anonymous``: it has one that is made up for each start. ``certain``: whatever its name is, no key is for it, since none is in its
-    ``namespace``.
+    ``namespace``. ``shared``: other programs are given the file, too.
     """
 
     file: str
@@ -143,6 +148,7 @@ class NamedForUnnamed(Problem):
     namespace: str
     anonymous: bool
     certain: bool
+    shared: bool = False
 
 
 class CommandReadAsYaml(Problem):

@@ -30,6 +30,7 @@ _ASSIGNED = re.compile(
 _MESSAGE = re.compile(r"(\w+)/(\w+)\.h|(\w+)/(msg|srv|action)/(?:detail/)?(\w+?)(?:__\w+)?\.hpp")
 _MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*;?\s*$")
 _VIRTUAL = re.compile(r"\b(?:virtual|override|final)\b")
+_OF_CONSTANT = re.compile(r"\)\s*const\b")
 _TEST = re.compile(r"(?:TYPED_)?TEST(?:_[FP])?|TYPED_TEST_P|BOOST_\w*TEST_CASE\w*|TEST_CASE\w*|SCENARIO\w*")
 _OF_ROS = re.compile(r"(?:ros|nodelet|tf|tf2_ros|actionlib|image_transport|rclcpp|rclcpp_\w+|\w+_msgs|\w+_srvs)/")
 _QUALIFIED = re.compile(r"(?:::)?[A-Za-z_]\w{0,100}(?:::[A-Za-z_]\w{0,100}){1,8}")
@@ -49,10 +50,11 @@ class Function:
 
     ``name`` is qualified; ``scope`` is the namespace or class that names in it are looked up from. ``absent`` is a prototype whose body
     stands elsewhere, other than of a pure virtual function or one that the compiler makes. ``overrides``: it is virtual, or overrides one.
+    ``of_constant``: it is a member function of a constant object.
     """
 
     __slots__ = (
-        "absent", "body", "initialisers", "line", "name", "overrides", "owner", "parameters", "path", "relevant", "returns", "scope",
+        "absent", "body", "initialisers", "line", "name", "of_constant", "overrides", "owner", "parameters", "path", "relevant", "returns", "scope",
         "template",
     )  # fmt: skip
 
@@ -65,7 +67,9 @@ class Function:
         self.returns = returns
         self.body = node.field("body")
         self.absent = self.body is None and _MADE.search(node.text) is None
-        self.overrides = _VIRTUAL.search(node.until(self.body)) is not None
+        head = node.until(self.body)
+        self.overrides = _VIRTUAL.search(head) is not None
+        self.of_constant = _OF_CONSTANT.search(head) is not None
         self.initialisers = node.child("field_initializer_list")
         self.path = path
         self.line = node.line

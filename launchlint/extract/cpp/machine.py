@@ -339,7 +339,24 @@ class Machine:
         return self.call(found, this, given, dict(zip(found.template, function.types, strict=False)))
 
     def call(self, function: Function, this: Thing | None, arguments: Sequence[Argument], bindings: dict[str, Type] | None = None) -> Value:
-        """Follow a function of the program with these arguments."""
+        """Follow a function of the program with these arguments, in each of its definitions of which the preprocessor leaves one."""
+        twins = overloads.twins(self, function)
+        if len(twins) < 2:
+            return self._follow(twins[0] if twins else function, this, arguments, bindings)
+        results: list[tuple[str, Value]] = []
+        ways = []
+        for each in twins:
+            condition = f"{each.name} is that of line {each.line}"
+
+            def run(each: Function = each, condition: str = condition) -> str:
+                results.append((condition, self._follow(each, this, arguments, bindings)))
+                return ""
+
+            ways.append((condition, run))
+        self.branch(ways)
+        return either(results)
+
+    def _follow(self, function: Function, this: Thing | None, arguments: Sequence[Argument], bindings: dict[str, Type] | None) -> Value:
         if function.body is None or self.calls.count(function) > 1:
             return UNKNOWN
         self.unseen.visited.add(function)

@@ -33,6 +33,29 @@ def chosen(machine: Machine, functions: Sequence[Function], given: Sequence[Argu
     return best
 
 
+def twins(machine: Machine, function: Function) -> list[Function]:
+    """The definitions of a function in one file, of which the preprocessor leaves one (``#ifdef ROS1``); those worth following, if any is.
+
+    No more than one where the file defines it once.
+    """
+    listed = machine.declarations.functions.get(function.name, ())
+    if len(listed) < 2 or function.body is None:
+        return [function]
+    types = [each.type for each in function.parameters]
+    same = [
+        each
+        for each in listed
+        if each.body is not None
+        and each.path == function.path
+        and each.template == function.template
+        and each.of_constant == function.of_constant
+        and [one.type for one in each.parameters] == types
+    ]
+    if len(same) < 2:
+        return [function]
+    return [each for each in same if is_relevant(machine, each)] or [function]
+
+
 def _fit(machine: Machine, function: Function, given: Sequence[Argument]) -> int:
     parameters = function.parameters
     defaults = with_defaults(machine, function)

@@ -23,6 +23,7 @@ from launchlint.rules.judging.same_definition import stands_for
 from launchlint.source import Place
 
 _MOST_NODES = 2_000
+_NAMES = ("publishers", "subscribers", "services", "clients", "actions")
 """Of longer chains nothing is said."""
 _OWN_AND_OTHER = 2
 """Nodes of which one at least is another than a given one."""
@@ -138,7 +139,10 @@ class Signs:
 
     @cached_property
     def _strays(self) -> dict[str, list[_Stray]]:
-        """Each remap inside a node that acts on none of its names, or stands there twice, by the last part of its source."""
+        """Each remap inside a node that acts on none of its names, or stands there twice, by the last part of its source.
+
+        Of a node that may have more names nobody can say that: a container of controllers has theirs.
+        """
         acting: set[Place] = set()
         for instance in self._graph.instances:
             entries: list[Endpoint | Reading] = [*instance.endpoints, *instance.readings]
@@ -146,7 +150,7 @@ class Signs:
                 acting.update(each.rule.remap.origin.place for each in entry.applied if each.rule.remap is not None)
         found: dict[Place, tuple[str, str, str]] = {}
         for instance in self._graph.instances:
-            for remap in () if instance.is_unknown else instance.node.remaps:
+            for remap in () if instance.is_unknown or any(map(instance.may_have_more, _NAMES)) else instance.node.remaps:
                 if remap.source and remap.origin.place not in acting and is_inside(remap, instance):
                     found[remap.origin.place] = (remap.source, remap.target, instance.name)
         for problem in self._graph.launch.noticed(RemapReplaced):

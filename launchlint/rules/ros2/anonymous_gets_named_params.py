@@ -2,7 +2,8 @@
 
 What it does: it looks for a parameter file with names only, no `/**`, that is given to a node without `name`, or with one of `$(anon …)`.
 It is a warning where no key can be that of the node, because the name is made up for each start or no key is in the node's namespace.
-Else it is information: they reach the node as long as its program calls itself so.
+Else it is information: they reach the node as long as its program calls itself so. Where several programs are given the file it is, too:
+it may be for a node that one of them makes beside its own.
 
 ## Why it matters
 
@@ -48,7 +49,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.parameter_problems import NamedForUnnamed
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
-from launchlint.rules.wording import words_at
+from launchlint.rules.wording import SHARED, words_at
 
 RULE = Rule("LL944", "anonymous-gets-named-params", Severity.WARNING)
 
@@ -68,12 +69,13 @@ def tell(problem: NamedForUnnamed, view: object) -> Iterator[Finding]:
         message = f"{file} reaches {problem.program} only if it calls itself {keys}: the launch file does not say its name"
         note = "a node without a name here has the one that its program gives it"
         advice = f"say it here, too: {words.set_to('name', problem.keys[0].rpartition('/')[2])}"
+    others = (SHARED,) if problem.shared else ()
     yield RULE.at(
         problem.origin,
         message,
-        severity=None if problem.anonymous or problem.certain else Severity.INFO,
+        severity=None if (problem.anonymous or problem.certain) and not problem.shared else Severity.INFO,
         label="params under names",
-        notes=(note,),
+        notes=(note, *others),
         help=advice,
         cause=f"{problem.file} {problem.anonymous} {problem.certain}",
     )

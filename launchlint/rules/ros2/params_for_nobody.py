@@ -4,7 +4,9 @@ A key is the full name of a node, or has wildcards: `/**` is all of them, `/**/n
 a node in a namespace has another full name. It is an info where the key is the name of the node with a namespace before it, which a
 launch file that includes this one may push.
 
-Nothing is said of keys for a node of that name in other namespaces where the node has a key of its own: such a file is for several robots.
+Nothing is said of keys for a node of that name in other namespaces where the node has a key of its own: such a file is for several robots;
+nor of a file for a costmap of nav2, which is a node beside that of its server. Where several programs are given a file with nothing for the
+node, it is an info: one of them may make a node of that name.
 
 ## Why it matters
 
@@ -50,6 +52,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.parameter_problems import ParametersForNobody
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import SHARED
 
 RULE = Rule("LL901", "params-for-nobody", Severity.WARNING)
 
@@ -61,9 +64,10 @@ def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
         yield RULE.at(
             problem.origin,
             f"nothing in {file} is for {node}",
+            severity=Severity.INFO if problem.shared else None,
             label=f"the node is {node}",
             related=problem.related,
-            notes=(f"its keys: {', '.join(problem.keys)}",),
+            notes=(f"its keys: {', '.join(problem.keys)}", *((SHARED,) if problem.shared else ())),
             help=f"add the key {node} or /**, or do not give the file to this node",
             cause=f"{problem.file} nobody",
         )

@@ -697,3 +697,29 @@ def test_texts_in_braces(tmp_path: Path) -> None:
         "params ~frame string default='odom' declared",
         "params ~map string default='odom' declared",
     ]
+
+
+TWICE = node(
+    """
+    out_ = open();
+""",
+    """
+ private:
+  rclcpp::PublisherBase::SharedPtr open();
+  rclcpp::PublisherBase::SharedPtr out_;
+""",
+) + """
+#ifdef FOR_ROS1
+rclcpp::PublisherBase::SharedPtr Talker::open() { return advertise("cloud"); }
+#elif defined FOR_ROS2
+rclcpp::PublisherBase::SharedPtr Talker::open() { return create_publisher<std_msgs::msg::String>("cloud", 5); }
+#endif
+"""
+
+
+def test_a_function_that_the_preprocessor_leaves_one_of_is_followed_in_each_way(tmp_path: Path) -> None:
+    """The first of two definitions is not taken for the only one, so that what the second makes is not missed."""
+    facts, doubts, _ = follow(tmp_path, TWICE)
+    assert [(each.category, each.name, each.type) for each in facts] == [("publishers", "cloud", "std_msgs/msg/String")]
+    assert all(each.condition for each in facts) or doubts
+    assert not follow(tmp_path, TWICE.replace('"cloud", 5', '"cloud", 6').replace("create_publisher<std_msgs::msg::String>", "nothing"))[0]
