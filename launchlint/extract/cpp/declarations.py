@@ -54,8 +54,8 @@ class Function:
     """
 
     __slots__ = (
-        "absent", "body", "initialisers", "line", "name", "of_constant", "overrides", "owner", "parameters", "path", "relevant", "returns", "scope",
-        "template",
+        "absent", "body", "initialisers", "line", "name", "of_constant", "overrides", "owner", "parameters", "path", "relevant",
+        "returns", "scope", "template",
     )  # fmt: skip
 
     def __init__(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from codecs import BOM_UTF8
 from collections import OrderedDict
 from collections.abc import Sequence
 
@@ -72,7 +73,7 @@ def read_files(
             problems.append("the program has too many files to read them all")
             break
         try:
-            data = read_bytes(path, LARGEST_FILE)
+            data = read_bytes(path, LARGEST_FILE).removeprefix(BOM_UTF8)
         except OSError as error:
             problems.append(f"{_relative(path, root)} cannot be read: {error.strerror or error}")
             continue

@@ -221,7 +221,11 @@ class Machine:
         for _, _, written in going:
             cells.update(dict.fromkeys(written))
         for cell in cells:
-            self.write(cell, either([(condition, written.get(cell, cell.value)) for condition, _, written in going]))
+            ways = [(condition, written.get(cell, cell.value)) for condition, _, written in going]
+            joined = either(ways)
+            self.write(cell, joined)
+            if isinstance(joined, (Items, Text)) and any(value != joined for _, value in ways):
+                cell.changing = True  # it may be the shorter list, or the empty text
         signals = {signal for _, signal, _ in outcomes}
         if "" in signals or not signals:
             return ""

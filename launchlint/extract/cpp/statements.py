@@ -254,17 +254,23 @@ def _if(machine: Machine, node: Node, frame: Frame) -> str:
 
 
 def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
+    before, machine.touched = machine.touched, False
     right = machine.evaluate(node.field("right"), frame)
+    touched, machine.touched = machine.touched, before
     declarator, named, body = node.field("declarator"), node.field("type"), node.field("body")
     name = name_of(declarator)
     type_ = parse_type(named.text) if named else UNTYPED
     if body is None:
         return ""
     if isinstance(right, Items) and 0 < len(right.items) <= _MOST_TURNS:
+        if touched:
+            machine.conditions.append(f"{name} is one of {condition_text(node.field('right'))}")
         for item in right.items:
             frame.variables[name] = machine.cell(item, type_)
             if machine.execute(body, frame) in ("break", "return"):
                 break
+        if touched:
+            machine.conditions.pop()
         return ""
 
     item = machine.tables.each(right)

@@ -699,22 +699,25 @@ def test_texts_in_braces(tmp_path: Path) -> None:
     ]
 
 
-TWICE = node(
-    """
+TWICE = (
+    node(
+        """
     out_ = open();
 """,
-    """
+        """
  private:
   rclcpp::PublisherBase::SharedPtr open();
   rclcpp::PublisherBase::SharedPtr out_;
 """,
-) + """
+    )
+    + """
 #ifdef FOR_ROS1
 rclcpp::PublisherBase::SharedPtr Talker::open() { return advertise("cloud"); }
 #elif defined FOR_ROS2
 rclcpp::PublisherBase::SharedPtr Talker::open() { return create_publisher<std_msgs::msg::String>("cloud", 5); }
 #endif
 """
+)
 
 
 def test_a_function_that_the_preprocessor_leaves_one_of_is_followed_in_each_way(tmp_path: Path) -> None:
@@ -723,3 +726,43 @@ def test_a_function_that_the_preprocessor_leaves_one_of_is_followed_in_each_way(
     assert [(each.category, each.name, each.type) for each in facts] == [("publishers", "cloud", "std_msgs/msg/String")]
     assert all(each.condition for each in facts) or doubts
     assert not follow(tmp_path, TWICE.replace('"cloud", 5', '"cloud", 6').replace("create_publisher<std_msgs::msg::String>", "nothing"))[0]
+
+
+@pytest.mark.parametrize(
+    "test",
+    [
+        "std::vector<int> missing; for (int each : {1, 2}) { if (find(each)) { missing.push_back(each); } } if (!missing.empty()) return;",
+        "std::vector<int> missing; if (find(1)) { missing.push_back(1); } if (missing.size() > 0) { return; }",
+        'std::string error; if (find(1)) { error = "none"; } if (!error.empty()) { return; }',
+        'std::string error; if (find(1)) { error += "none"; } if (!error.empty()) { return; }',
+    ],
+)
+def test_what_is_filled_under_a_condition_may_be_empty(test: str, tmp_path: Path) -> None:
+    """A list or text that only one way fills decides nothing: what follows an early return is not lost."""
+    facts, _, _ = follow(tmp_path, node(f'std::vector<int> wanted = {{1, 2}}; {test} create_publisher<std_msgs::msg::String>("out", 1);'))
+    assert [(each.category, each.name, each.condition) for each in facts] == [("publishers", "out", "")]
+    certain = test.replace("if (find(each))", "").replace("if (find(1))", "")
+    assert not follow(tmp_path, node(f'std::vector<int> wanted = {{1, 2}}; {certain} create_publisher<std_msgs::msg::String>("out", 1);'))[
+        0
+    ]
+
+
+def test_items_of_a_list_that_is_filled_under_a_condition_may_not_be_there(tmp_path: Path) -> None:
+    """Each of them is told, and none as certain."""
+    body = """
+    std::vector<std::string> names = {"left"};
+    if (both()) { names.push_back("right"); }
+    for (auto & each : names) { create_publisher<std_msgs::msg::String>(each, 1); }
+"""
+    facts, _, _ = follow(tmp_path, node(body))
+    assert [(each.name, each.condition) for each in facts] == [("left", "each is one of names"), ("right", "each is one of names")]
+
+
+def test_a_source_that_begins_with_a_byte_order_mark(tmp_path: Path) -> None:
+    """Its first line may be the header with the class."""
+    (tmp_path / "talker.h").write_text(HEAD + "class Talker : public rclcpp::Node { public: Talker(); };\n")
+    source = """\ufeff#include "talker.h"
+Talker::Talker() : Node("talker") { create_publisher<std_msgs::msg::String>("out", 1); }
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Talker>()); }
+"""
+    assert [each.name for each in follow(tmp_path, source)[0]] == ["out"]
