@@ -236,3 +236,61 @@ def test_any_comment(words: str) -> None:
     for one in suppressions(text):
         assert [text[name.span.start : name.span.end] for name in one.names] == [name.text for name in one.names]
         assert (one.covers is None) or text[one.covers.start : one.covers.end] == "<node/>"
+
+
+def nested(random_: random.Random, start: int, end: int, depth: int = 0) -> list[Span]:
+    """Spans inside each other or apart, as those of elements are; some begin, and some end, where another one does."""
+    spans: list[Span] = []
+    while start < end and len(spans) < 40:
+        first = random_.randint(start, min(end - 1, start + 3))
+        last = random_.randint(first + 1, end)
+        spans.append(Span(first, last))
+        if depth < 5:
+            spans += nested(random_, first + random_.randint(0, 1), last - random_.randint(0, 1), depth + 1)
+        start = last + random_.randint(0, 2)
+    return spans
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_what_is_suppressed_is_what_stands_in_a_span(seed: int) -> None:
+    """Of many, in two files, in any order: the same as if each was held against each finding."""
+    random_ = random.Random(seed)
+    names = ["", "[LL301]", "[invalid-node-name, LL206]", "[old-name]"]
+    text = "<launch>" + "".join(f"<!-- launchlint: ignore{each} -->" for each in names) + "<node/></launch>"
+    models = suppressions(text)
+    assert [len(each.names) for each in models] == [0, 1, 2, 1]
+    there = [
+        model._replace(covers=span, location=model.location._replace(path=path))
+        for path in ("a.launch", "b.launch")
+        for span in (*nested(random_, 0, 60), *([None] if seed % 5 == 0 else []))
+        for model in random_.sample(models, random_.randint(1, 2))
+    ]
+    random_.shuffle(there)
+    findings = [
+        finding(text, "<node/>", rule, path)._replace(location=models[0].location._replace(path=path, start=start, end=start + 1))
+        for path in ("a.launch", "b.launch", "c.launch")
+        for start in range(62)
+        for rule in ("LL206", "LL301", "LL302", "LL999")
+    ]
+    covering = {
+        (one.rule, one.location.path, one.location.start): [
+            (each, name)
+            for each in there
+            if each.location.path == one.location.path
+            and (each.covers is None or each.covers.start <= one.location.start < each.covers.end)
+            for name in ([name.text for name in each.names if RULES[name.text.lower()] == one.rule] if each.names else [""])
+        ]
+        for one in findings
+    }
+    kept, used = apply(findings, there, lambda name: RULES.get(name))
+    assert [one for one in findings if not covering[one.rule, one.location.path, one.location.start]] == kept
+    assert used == {hit for hits in covering.values() for hit in hits}
+    assert [one for one in findings if not any(applies(each, one, RULES.get) for each in there)] == kept
+
+
+def test_as_many_rules_as_there_may_be() -> None:
+    one, more = (
+        suppressions(f"<launch><!-- launchlint: ignore[{', '.join(['LL301'] * count)}] --><node/></launch>") for count in (1000, 1001)
+    )
+    assert (one[0].problem, len(one[0].names)) == ("", 1000)
+    assert ("names 1,001 rules" in more[0].problem, more[0].names) == (True, ())
