@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from random import Random
+
 import pytest
 
 from launchlint.finding import Edit
@@ -99,3 +101,51 @@ MANIFEST = b"<package format='2'><name>a</name><depend>b</depend></package>"
 )
 def test_manifest(after: bytes, reason: str) -> None:
     assert refusal("/a/package.xml", MANIFEST, after) == reason
+
+
+def _free(edit: Edit, taken: list[Edit]) -> bool:
+    """As the documentation of :meth:`Claims.take` has it, held against every stretch that is taken."""
+    for other in taken:
+        if edit.path != other.path or (edit.start == edit.end and other.start == other.end):
+            continue
+        if edit.start == edit.end or other.start == other.end:
+            if other.start <= edit.end and edit.start <= other.end:
+                return False
+        elif edit.start < other.end and other.start < edit.end:
+            return False
+    return True
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_what_is_claimed_meets_nothing_that_is(seed: int) -> None:
+    random = Random(seed)
+    claims, taken = Claims(), list[Edit]()
+    for _ in range(40):
+        edits = [
+            Edit(random.choice(("a", "a", "b")), start, start + random.choice((0, 0, 1, 2, 5)), "x")
+            for start in random.sample(range(60), random.choice((1, 1, 2)))
+        ]
+        if not all(_free(one, [other]) for one in edits for other in edits if one is not other):
+            continue
+        free = all(_free(edit, taken) for edit in edits)
+        assert claims.take(edits) is free
+        taken += edits if free else []
+    assert len(taken) > 10
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_where_places_are_after_edits(seed: int) -> None:
+    """What is left of the text stands where :class:`Shift` says; what is replaced is where its replacement begins."""
+    random = Random(seed)
+    text = "".join(chr(0x4E00 + number) for number in range(80))  # each character stands there once
+    borders = sorted(random.sample(range(81), 10))
+    edits = [Edit("a", start, end, "x" * random.choice((0, 1, 7))) for start, end in zip(borders[::2], borders[1::2], strict=True)]
+    after = apply(text.encode("utf-8"), edits).decode("utf-8")
+    shift = Shift(edits)
+    for offset, letter in enumerate(text):
+        edit = next((edit for edit in edits if edit.start <= offset < edit.end), None)
+        if edit is None:
+            assert after[shift(offset)] == letter
+        else:
+            assert shift(offset) == shift(edit.start)
+            assert after[shift(offset) : shift(offset) + len(edit.text)] == edit.text

@@ -31,6 +31,9 @@ SAME: dict[str, tuple[str, str]] = {
         '[[m | <remap from="a" to="a"/>]]<group if="false">[[n]]</group>',
         '[[m]]<group if="false">[[n]]</group>',
     ),
+    "a private remap to itself beside one of a like name": (
+        '[[n | <remap from="~ab" to="~ab"/><remap from="~cb" to="d"/>]]', '[[n | <remap from="~cb" to="d"/>]]',
+    ),
     "what is refused, as long as the rest stays": ("[[n]][[n]]", "[[n]] [[n]]"),
     "never taken, but as it was": ('<group if="false">[[n]]</group>[[m]]', '<group if="false">\n [[n]]\n</group> [[m]]'),
     "args before what is never taken": (
@@ -163,6 +166,16 @@ CHANGED: dict[str, tuple[str, str, str]] = {
         '<remap from="a" to="b"/><include file="$(find nowhere)/x.launch"/>',
         '<include file="$(find nowhere)/x.launch"/><remap from="a" to="b"/>',
         "the unresolved item 'a' would change: includes from 1 to 0",
+    ),
+    "a remap between two includes that are not here": (
+        '<include file="$(find nowhere)/x.launch"/><remap from="a" to="b"/><include file="$(find nowhere)/y.launch"/>',
+        '<include file="$(find nowhere)/x.launch"/><include file="$(find nowhere)/y.launch"/><remap from="a" to="b"/>',
+        "the unresolved item 'a' would change: includes from 1 to 0",
+    ),
+    "a parameter below another with a short name": (
+        '<param name="aaaa/b/c" value="1"/><param name="aaaa/b" value="1"/>',
+        '<param name="aaaa/b" value="1"/><param name="aaaa/b/c" value="1"/>',
+        "the order of the nested parameters would change",
     ),
     "an arg for an include that is not here": (
         '<include file="$(find nowhere)/x.launch"><arg name="a" value="1"/></include>',
