@@ -25,13 +25,16 @@ def one_name(problem: DuplicateNode, rule: Rule, view: LaunchView) -> Iterator[F
     if tried:
         notes.append(f"only with {tried}, which is not what this launch file does by itself")
     advice = "rename one, or put them into different namespaces"
-    if twice:
+    by_program = twice and not problem.origin.chain  # a loop, or a function that is called twice: nothing is included twice
+    if by_program:
+        advice = "let each have a name, or a namespace, of its own"
+    elif twice:
         advice = f"include the file once, or push a namespace in a {words_at(problem.origin).tag('group')} around each include"
     yield rule.at(
         problem.origin,
         f"the node {name} is started twice" if twice else f"two nodes are named {name}",
         severity=Severity.INFO if tried else Severity.WARNING,
-        label="its file is included twice" if twice else "the second one",
+        label="both are made here" if by_program else "its file is included twice" if twice else "the second one",
         related=((*problem.related, *_way_to(first, second)) if not twice else _way_to(first, second)),
         notes=tuple(notes),
         help=advice,
