@@ -64,8 +64,14 @@ def tell(problem: NoDescription | NotAnAction, view: object) -> Iterator[Finding
     message, advice, note = _said(problem)
     # A program that calls the function itself, as tests do, is not made for ros2 launch.
     if problem.form == "missing" and not problem.place.source.text.strip():
-        severity = Severity.WARNING  # left to be written, and started by nobody
-        yield RULE.at(problem.origin, "the launch file is empty", severity=severity, notes=stops(note), help="write it, or remove it")
+        yield RULE.at(
+            problem.origin,
+            "the launch file is empty",
+            severity=Severity.INFO,  # left to be written, and started by nobody
+            notes=stops(note),
+            help="write it, or remove it",
+            cause=f"empty {problem.place.source.path.rpartition('/')[0]}",
+        )
         return
     text = problem.place.source.text
     own = "__main__" in text and (problem.form == "arguments" or (problem.form == "missing" and not _LAUNCH.search(text)))
