@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
 
+from tests.bench.report import write_launch
 from tests.conftest import find_chromium
 from tests.report.html.browser.hostile import write_hostile
 from tests.report.html.browser.reading import drawn
@@ -38,7 +39,7 @@ def browser() -> Iterator[Browser]:
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     """A function: the page of the robot, of ``hostile`` names, of what ``changed``, of an ``empty`` file, of an ``unknown`` robot.
 
-    Or of findings ``between`` nodes, or of a file that is refused ``otherwise``.
+    Or of findings ``between`` nodes, of a file that is refused ``otherwise``, or of ``fifty`` nodes.
     """
     made: dict[str, Path] = {}
     directory = tmp_path_factory.mktemp("reports")
@@ -216,6 +217,13 @@ def _ros2(directory: Path) -> Path:
     return _written(directory, "main.launch.py", "--library", "library.json")
 
 
+def _fifty(directory: Path) -> Path:
+    """A robot of fifty nodes."""
+    directory.mkdir()
+    write_launch(directory, 50)
+    return _written(directory, "main.launch", "--library", "library.json")
+
+
 MAKERS: dict[str, Callable[[Path], Path]] = {
     "robot": _robot,
     "changed": _changed,
@@ -229,6 +237,7 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "choices": _choices,
     "copies": _copies,
     "ros2": _ros2,
+    "fifty": _fifty,
 }
 
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+from tests.report.html.browser.paper import PAPERS, ink, sheets
 from tests.report.html.browser.reading import drawn, lines
 
 pytestmark = pytest.mark.chromium
@@ -37,6 +40,22 @@ def test_print_shows_all_of_the_drawing_and_all_tables(open_report):
     page.emulate_media(media="screen")
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.locator("#drawing > svg").get_attribute("viewBox") is None
+
+
+@pytest.mark.parametrize(("paper", "landscape"), PAPERS)
+def test_fifty_nodes_take_one_sheet_and_each_sheet_of_a_table_has_its_heads(open_report, tmp_path, paper, landscape):
+    printed = sheets(open_report("fifty"), tmp_path, paper, landscape=landscape)
+    assert all(sheet.strip() for sheet in printed)
+    left, top, right, bottom = ink(tmp_path, 1)
+    assert 0.01 < left < 0.4 < 0.6 < right < 0.99
+    assert 0.01 < top < bottom < 0.99
+    titles = [number for number, sheet in enumerate(printed) if re.search(r"^ *Topics *$", sheet, re.MULTILINE)]
+    heads = [
+        number for number, sheet in enumerate(printed) if re.search(r"^ *Topic +Type +Publishers +Subscribers *$", sheet, re.MULTILINE)
+    ]
+    assert len(titles) == 1
+    assert heads == list(range(titles[0], titles[0] + len(heads)))
+    assert len(heads) > 1
 
 
 def test_narrow_screens_show_one_part_at_a_time(open_report):

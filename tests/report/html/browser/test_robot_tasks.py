@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.conftest import find_corpus
+from tests.report.html.browser.paper import PAPERS, ink, sheets
 from tests.report.html.browser.reading import boxes, drawn, fragment
 from tests.report.html.browser.test_first_sight import ROBOTS
 from tests.report.html.browser.test_robots import written
@@ -142,6 +144,38 @@ def test_save_a_picture(robot: Robot) -> None:
     with task.page.expect_download() as download:
         task.press("PNG picture")
     assert download.value.path().read_bytes().startswith(b"\x89PNG")
+
+
+def test_why_is_this_node_alone(robot: Robot) -> None:
+    shared = {number for _, number in robot.topics()}
+    talks = {each["node"] for each in robot.entry["connections"] if each["channel"] in shared}
+    own = [number for number, _ in enumerate(robot.entry["nodes"]) if number not in talks]
+    if not own:
+        pytest.skip("each of its nodes shares a topic")
+    alone = robot.entry["nodes"][own[0]]
+    task = robot.task()
+    task.search(alone["name"])
+    assert alone["name"] in task.panel
+    if alone["knowledge"] == "unknown":
+        assert "What it does is not known" in task.panel
+    else:
+        reasons = ("nobody", "not known", "everybody", "Nothing is known of it", "shares")
+        assert any(word in line for line in task.panel for word in reasons), task.panel
+
+
+@pytest.mark.parametrize(("paper", "landscape"), PAPERS)
+def test_print(robot: Robot, tmp_path: Path, paper: str, landscape: bool) -> None:
+    printed = sheets(robot.task().page, tmp_path, paper, landscape=landscape)
+    assert all(sheet.strip() for sheet in printed)
+    # The drawing takes one sheet, and no line of it is cut at the edge of the paper.
+    left, top, right, bottom = ink(tmp_path, 1)
+    assert min(left, top) > 0.01
+    assert max(right, bottom) < 0.99
+    assert right - left > 0.5
+    assert "Nodes" not in printed[0].split()
+    heads = [sheet for sheet in printed if re.search(r"^ *Node +Program +Known +Place +Findings *$", sheet, re.MULTILINE)]
+    titles = [sheet for sheet in printed if re.search(r"^ *Nodes *$", sheet, re.MULTILINE)]
+    assert (len(titles), len(heads) > 0) == (1, True)
 
 
 def test_another_configuration(robot: Robot) -> None:

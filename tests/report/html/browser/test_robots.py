@@ -13,8 +13,10 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.conftest import find_corpus
+from tests.report.html.browser.conftest import GIT
 from tests.report.html.browser.reading import drawn
 from tests.report.html.browser.test_first_sight import ROBOTS
+from tests.report.html.browser.test_tasks import MOST, Steps
 from tests.report.html.pages import data_of
 
 pytestmark = [pytest.mark.chromium, pytest.mark.corpus]
@@ -26,9 +28,9 @@ PLACES = """() => Object.fromEntries([...document.querySelectorAll("#drawing > s
 }))"""
 
 
-def written(directory: Path, launch: str, target: Path) -> None:
+def written(directory: Path, launch: str, target: Path, *words: str) -> None:
     environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
-    command = [sys.executable, "-m", "launchlint", "report", launch, "-o", str(target), "--quiet", "--jobs", "1"]
+    command = [sys.executable, "-m", "launchlint", "report", launch, "-o", str(target), "--quiet", "--jobs", "1", *words]
     subprocess.run(command, cwd=directory, env=environment, check=True)
 
 
@@ -78,3 +80,25 @@ def test_a_robot(browser: Browser, tmp_path: Path, robot: str) -> None:
     stayed = sum(abs(was[0] - now[0]) <= NEAR and abs(was[1] - now[1]) <= NEAR for was, now in both)
     assert len(both) >= 0.95 * len(places)
     assert stayed >= 0.95 * len(both)
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_what_a_change_did(browser: Browser, tmp_path: Path, robot: str) -> None:
+    directory, target, launch = tmp_path / "robot", tmp_path / "report.html", ROBOTS[robot]
+    shutil.copytree(Path(str(find_corpus())) / "ros1" / robot, directory, symlinks=True)
+    shutil.rmtree(directory / ".git", ignore_errors=True)
+    for words in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "before")):
+        subprocess.run([*GIT, *words], cwd=directory, check=True)
+    file = directory / launch
+    more = '<node pkg="topic_tools" type="relay" name="newcomer" args="newcomer_in newcomer_out"/>'
+    file.write_text(re.sub(r"</launch>\s*$", f"{more}</launch>", file.read_text()))
+    written(directory, launch, target, "--base", "HEAD")
+    page = opened(browser, target, f"#entry={launch}")
+    task = Steps(page)
+    assert any(line.startswith("Gained since HEAD") for line in task.panel)
+    page.locator("#drawing > svg").focus()
+    # What is new of the findings comes before the nodes, where there is any.
+    while not any("newcomer" in line for line in task.panel):
+        task.do(lambda page: page.keyboard.press("]"))
+        assert task.taken <= MOST
+    page.close()
