@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Set
-from dataclasses import dataclass
 from functools import cached_property
 
 from launchlint.finding import Key
@@ -12,7 +11,6 @@ from launchlint.rules.view import EntrySummary
 from launchlint.workspace.packages import Packages
 
 
-@dataclass(frozen=True)
 class Known:
     """The packages, the directory that shown paths are relative to (``root``), and which entry files show what.
 
@@ -20,11 +18,14 @@ class Known:
     ``by_default``: the findings that some entry file shows as it is, without args. ``entries`` are the entry files.
     """
 
-    packages: Packages
-    root: str
-    reached: Mapping[Key, Set[str]]
-    by_default: Set[Key]
-    entries: tuple[EntrySummary, ...]
+    def __init__(
+        self, packages: Packages, root: str, reached: Mapping[Key, Set[str]], by_default: Set[Key], entries: tuple[EntrySummary, ...]
+    ) -> None:
+        self.packages = packages
+        self.root = root
+        self.reached = reached
+        self.by_default = by_default
+        self.entries = entries
 
     def file(self, path: str) -> str:
         """The absolute path of a shown one."""
