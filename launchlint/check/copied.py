@@ -16,7 +16,7 @@ NOTE = "{} is a copy of a public package, and that is where to mend it"
 NAMED = "{} names another repository as its own, and that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
-_UNTIDY = frozenset(("LL206", "LL210", "LL303", "LL411", "LL702"))
+_UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL508", "LL601", "LL623", "LL702"))
 """By their IDs: in most runs none of these modules has to be loaded for this. LL701 says it itself, since it proposes a line."""
 
 

@@ -11,6 +11,8 @@ from launchlint.workspace.reading import stand_ins
 
 _ENDS = (".launch", ".launch.xml")
 _TEST_END = ".test"
+_APPLE_DOUBLE = "._"
+"""What macOS writes beside a file on other file systems, under the same name with this before it: its attributes."""
 _XML_END = ".xml"
 _YAML_ENDS = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
 _SAID_TO_BE = (*_ENDS, ".launch.yaml", ".launch.yml")
@@ -49,8 +51,8 @@ def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None
 
     Taken are files named ``*.launch`` and ``*.launch.xml``, files named ``*.test`` and ``*.xml`` that have ``<launch>`` as root, those
     named ``*.launch.yaml``, ``*_launch.yaml`` and the like that have the key ``launch``, and those in Python (:func:`is_in_python`).
-    Left out are hidden directories, and the build, devel, install and log directories of catkin and colcon. Links to directories are
-    followed, but no directory is searched twice.
+    Left out are hidden directories, what macOS keeps beside a file (``._arm.launch``), and the build, devel, install and log directories
+    of catkin and colcon. Links to directories are followed, but no directory is searched twice.
 
     Args:
         paths: files, which are always taken whatever their name, and directories.
@@ -185,7 +187,7 @@ def _walk(start: str, exclude: Sequence[str], base: str, seen: set[tuple[int, in
                 continue
             try:
                 if not entry.is_dir():
-                    if is_launch_file(path) and entry.is_file():
+                    if not entry.name.startswith(_APPLE_DOUBLE) and is_launch_file(path) and entry.is_file():
                         found.append(path)
                 elif entry.name[0] != ".":
                     if not entry.is_symlink():

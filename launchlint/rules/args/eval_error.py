@@ -2,7 +2,8 @@
 
 The expression is computed as roslaunch would, with the args as they are in each configuration: it has a syntax error,
 uses a name that does not exist, or does something that its values do not allow, such as adding a number to a text. A
-comparison like `count == '5'` is a warning: an arg that reads 5 is a number there, and never equal to a text.
+comparison like `count == '5'` is a warning: an arg that reads 5 is a number there, and never equal to a text. It is
+told once for a file, with all places.
 Expressions that use parts of Python which launchlint does not compute are named as information.
 
 ## Why it matters
@@ -86,6 +87,7 @@ def _never_equal(problem: EvalNeverEqual) -> Finding:
         severity=Severity.WARNING,
         notes=(f"roslaunch makes a {'boolean' if truth else 'number'} of an arg that reads {literal}",),
         help=f"compare with {value}, without quotes" if truth else f"compare with {value} without quotes, or write str({name})",
+        cause=f"{problem.place.source.path} compares with {'a truth value' if truth else 'a number'} as text",
     )
 
 

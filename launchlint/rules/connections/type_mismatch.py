@@ -2,8 +2,10 @@
 
 The same holds for server and client of a service, and of an action. It is a warning where the two types may be one
 definition under two names (a copy of a message in a package of one's own), and silent where they are: both are in the workspace, and are
-alike field by field. The same two programs with the same two types are told of once,
-also where several launch files start them. In ROS 2 types of different names never meet, whatever is in them.
+alike field by field. Of two such types it is an info where one end is a program of a package that rosbuild builds, and the other one is
+public: which type that had then nobody knows here. The same two programs with the same two types are told of once, also where several
+launch files start them, and so are all programs that take one of two such names for the other. In ROS 2 types of different names never
+meet, whatever is in them.
 
 ## Why it matters
 
@@ -47,7 +49,8 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
 from launchlint.late import late
 from launchlint.model import ROS2
-from launchlint.rules.judging.name_places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
+from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, owners, remap_origin, with_sources
+from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild, is_read_here
 from launchlint.rules.judging.same_definition import is_known, may_be_alike, may_be_copies
 from launchlint.rules.judging.written_definition import are_written_alike
 from launchlint.rules.rule import Rule
@@ -73,14 +76,14 @@ def check(view: GraphView) -> Iterator[Finding]:
     if view.dialect.name == ROS2:
         for channel in view.graph.channels.values():
             for offer, use in _mismatches(channel, _have_one_name):
-                yield _finding(channel, offer, use, view.once(owners), alike=False, effect=_WHAT_HAPPENS_2[channel.kind])
+                yield _finding(channel, offer, use, view, alike=False, effect=_WHAT_HAPPENS_2[channel.kind])
         return
     for channel in view.graph.channels.values():
         for offer, use in _mismatches(channel, may_be_alike):
             known = bool(offer.declaration.md5 and use.declaration.md5)
             alike = not known and are_written_alike(offer.type, use.type, channel.kind, view.packages, view.launch.entry.file)
             if not alike:
-                yield _finding(channel, offer, use, view.once(owners), alike, _WHAT_HAPPENS[channel.kind])
+                yield _finding(channel, offer, use, view, alike, _WHAT_HAPPENS[channel.kind])
 
 
 def _have_one_name(left: str, right: str, *_: str) -> bool:
@@ -112,7 +115,8 @@ def _by_type(endpoints: list[Endpoint]) -> dict[tuple[str, str], list[Endpoint]]
     return found
 
 
-def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners, alike: bool | None, effect: str) -> Finding:
+def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, alike: bool | None, effect: str) -> Finding:
+    owner = view.once(owners)
     giver, taker = owner[id(offer)], owner[id(use)]
     acting = offer if remap_origin(offer) is not None and remap_origin(use) is None else use
     other = use if acting is offer else offer
@@ -122,16 +126,29 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners, al
     if copies:
         notes = [f"unless the two are defined alike, field by field: {effect}"]
     notes.extend(text for text in (how(acting, mine), how(other, theirs)) if text)
+    old = copies and (_is_older(offer, use, view) or _is_older(use, offer, view))
+    if old:
+        notes.append(SINCE)
     found = RULE.at(
         acting_origin(acting, mine),
         f"{giver.name} {TALKS[offer.role]} {channel.name} as {offer.type}, but {taker.name} {TALKS[use.role]} it as {use.type}",
-        severity=Severity.WARNING if copies else None,
+        severity=Severity.INFO if old else Severity.WARNING if copies else None,
         label=f"{acting.type} here",
         related=((node_origin(theirs).place, f"{theirs.name} {TALKS[other.role]} it as {other.type}"),),
         notes=tuple(notes),
         help="give one of the two another name, or put a node between them that converts",
         topic=f"{channel.kind} {channel.name} {offer.type} {use.type}",
-        cause=_NUMBER.sub("#", f"{giver.program} {taker.program} {channel.kind} {channel.name.rpartition('/')[2]}")
+        cause=f"{offer.type} {use.type}"
+        if copies
+        else _NUMBER.sub("#", f"{giver.program} {taker.program} {channel.kind} {channel.name.rpartition('/')[2]}")
         + f" {offer.type} {use.type}",
     )
     return with_sources(found, acting, other)
+
+
+def _is_older(own: Endpoint, other: Endpoint, view: GraphView) -> bool:
+    """Whether ``own`` is read from a package that rosbuild builds, and ``other`` is what a public program does."""
+    if not is_read_here(own) or is_read_here(other):
+        return False
+    package = view.once(owners)[id(own)].program.partition("/")[0]
+    return is_of_rosbuild(view.packages.get(package, view.launch.entry.file))

@@ -12,7 +12,7 @@ of users that a `<machine>` of the file logs in as.
 
 In the values of args and params, and in what nodes get as `args` or `env`, it speaks about paths below the home directory of one person
 and about `..` that leads out of a package; that is an info where no package holds what is named, and so is `~`, which nodes expand or
-do not. What stands in many places is told once.
+do not. What stands in many places is told once, and so are all relative names.
 
 In ROS 2 it speaks about absolute paths of includes, paths below a home directory and `~`: relative names are told by LL401 and LL502.
 
@@ -318,7 +318,7 @@ def _relative(parts: Parts, start: str, view: FileView) -> _Fault | None:
         return None  # not found from here: LL401 and LL502 tell of that
     note = "a relative name counts from the directory roslaunch is started in, not from this file"
     instead = _instead(parts, view)
-    return _Fault(f"{value} is a relative path", note, f"write {instead or _ANY_NAME}", instead=instead)
+    return _Fault(f"{value} is a relative path", note, f"write {instead or _ANY_NAME}", cause="relative", instead=instead)
 
 
 def _instead(parts: Parts, view: FileView) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from functools import lru_cache
 
 from launchlint.late import late
@@ -35,6 +36,10 @@ _TESTS = late(r"(?:^|/)tests?/")
 _ADDRESS = late(r"<(?:maintainer|author)\b[^>]*\bemail\s*=\s*[\"']([^\"']+)[\"']")
 _ORIGIN = late(r"<url\b[^>]*\btype\s*=\s*[\"'](?:bugtracker|repository)[\"'][^>]*>\s*https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
+_PAGE = late(r"<url\b[^>]*>\s*https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?(/[^\s<]+)")
+_COMMENT = late(r"<!--.*?-->", re.DOTALL)
+_DOWNLOADED = late(r".+-(?:master|main|develop|(?:[a-z]+-)?devel|v?\d+(?:\.\d+)+)")
+"""What the archive of a repository is unpacked to: its name with that of the branch or the release."""
 
 
 def why_left_out(name: str, document: Document, home: Package, packages: Packages) -> str:
@@ -85,15 +90,21 @@ def is_copy(home: Package, packages: Packages) -> bool:
 
 
 def is_from_elsewhere(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is a public package in a workspace of others that says which repository it is from; it may be changed here."""
-    return home.manifest is not None and bool(_origins(home.manifest)) and _is_of_others(home, packages)
+    """Whether ``home`` is a public package in a workspace of others that says which repository it is from, or which page of ROS's wiki.
+
+    It may be changed here.
+    """
+    named = home.manifest is not None and (bool(_origins(home.manifest)) or bool(_pages(home.manifest.source.text)))
+    return named and _is_of_others(home, packages)
 
 
 def _is_of_others(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is named as a public package, most packages of the workspace are not public, and at most a few, which came with it,
-    have its people or are from its owner; or several are not public, and none of these is theirs.
+    """Whether ``home`` is named as a public package, or has a page in ROS's wiki, and most packages are of others.
+
+    That is: they are not public, and at most a few, which came with it, have its people or are from its owner; or several are not public,
+    and none of these is theirs.
     """
-    if home.name not in public_names() or home.manifest is None:
+    if home.manifest is None or not (home.name in public_names() or f"/{home.name}" in _pages(home.manifest.source.text)):
         return False
     people, origins = _people(home.manifest), _origins(home.manifest)
     if not people:
@@ -115,24 +126,42 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
 def kept_whole(home: Package, packages: Packages) -> str:
     """The name of the directory in which somebody else's project, with ``home`` in it, is kept in this workspace; else empty.
 
-    Such a directory has its own licence and README, and at most a few packages outside of it, which came with it, have its people.
+    Such a directory has a README, and its own licence, or most of its packages a page in the wiki of ROS, or it is called as what the
+    archive of a repository is unpacked to; and at most a few packages outside of it, which came with it, have its people.
     """
     if home.manifest is None:
         return ""
-    directory = home.directory
+    directory = home.directory if _is_unpacked(home.directory) else posixpath.dirname(home.directory)
     roots = [each.rstrip("/") for each in packages.workspaces]
-    while (directory := posixpath.dirname(directory)) and any(directory.startswith(f"{root}/") for root in roots):
+    while any(directory.startswith(f"{root}/") for root in roots):
         listed = {each.partition(".")[0].lower() for each in names(directory)}
-        if not (listed & _LICENCES and "readme" in listed):
-            continue
-        everything = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
-        people = {each.directory: _people(each.manifest) for each in everything if each.manifest is not None}
-        inside = frozenset().union(*(people[each] for each in people if each.startswith(f"{directory}/")))
-        outside = [people[each] for each in people if not each.startswith(f"{directory}/")]
-        theirs = sum(not inside.isdisjoint(each) for each in outside)
-        if inside and len(outside) - theirs >= max(_SOME, _MUCH_MORE * theirs):
+        if "readme" in listed and _is_apart(directory, packages, sure=bool(listed & _LICENCES) or _is_unpacked(directory)):
             return posixpath.basename(directory)
+        directory = posixpath.dirname(directory)
     return ""
+
+
+def _is_apart(directory: str, packages: Packages, *, sure: bool) -> bool:
+    """Whether the packages in ``directory`` have other people than those of the workspace; most have a page in the wiki if not ``sure``."""
+    everything = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+    manifests = {each.directory: each.manifest for each in everything if each.manifest is not None}
+    within = [manifest for each, manifest in manifests.items() if f"{each}/".startswith(f"{directory}/")]
+    if not sure and not (len(within) > 1 and 2 * sum(bool(_pages(manifest.source.text)) for manifest in within) > len(within)):
+        return False
+    inside = frozenset().union(*map(_people, within))
+    outside = [_people(manifest) for each, manifest in manifests.items() if not f"{each}/".startswith(f"{directory}/")]
+    theirs = sum(not inside.isdisjoint(people) for people in outside)
+    return bool(inside) and len(outside) - theirs >= max(_SOME, _MUCH_MORE * theirs)
+
+
+def _is_unpacked(directory: str) -> bool:
+    return _DOWNLOADED.fullmatch(posixpath.basename(directory)) is not None
+
+
+@lru_cache(maxsize=4096)
+def _pages(text: str) -> frozenset[str]:
+    """The pages of the wiki of ROS that a manifest names; a template, which proposes one, does so in a comment."""
+    return frozenset(page.rstrip("/") for page in _PAGE.findall(_COMMENT.sub("", text)))
 
 
 def _people(manifest: Manifest) -> frozenset[str]:
@@ -145,7 +174,7 @@ def _origins(manifest: Manifest) -> frozenset[str]:
 
 @lru_cache(maxsize=4096)  # the manifests of a workspace are asked for each package that is missing anywhere in it
 def _addresses(text: str) -> frozenset[str]:
-    return frozenset(address.lower() for address in _ADDRESS.findall(text))
+    return frozenset(address.lower() for address in _ADDRESS.findall(_COMMENT.sub("", text)))
 
 
 @lru_cache(maxsize=4096)

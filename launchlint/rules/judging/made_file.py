@@ -36,7 +36,8 @@ def cause_of(path: str, maker: Made | None) -> str:
 
 def malformed(file: str) -> str:
     """What LL101 tells of together with the includes that lead there: that ``file`` cannot be read. All empty files are alike."""
-    if is_file(file) and not (content(file) or b"0").strip():
+    text = content(file) if is_file(file) else None
+    if text is not None and not text.strip():
         return "malformed, since it is empty"
     return f"malformed {posixpath.abspath(file)}"
 

@@ -13,6 +13,11 @@ _SECRET = late(
 )
 
 
+def is_said_by_name(value: str, name: str) -> bool:
+    """Whether ``value`` is one of the words of ``name``: ``ready`` for ``ready_token`` is a word that programs tell each other."""
+    return value.strip().lower() in re.split(r"[\W_]+", re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name.strip()).lower())
+
+
 def is_secret(name: str, *, variable: bool = False) -> bool:
     """Whether ``name`` ends in a word for a secret.
 

@@ -109,6 +109,7 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
             if own
             else f'give the test a name as well: name="{good}"',
             fix=_rename(problem, view, name, good) if own and not meant else None,
+            cause=f"called {name}" if own and is_literal(problem.place, name) and not left_over_in(name, view) else "",
             shared_cause=left_over_in(name, view),
         )
 

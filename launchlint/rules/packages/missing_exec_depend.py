@@ -336,12 +336,16 @@ def together(findings: Sequence[Finding]) -> Finding:
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for several packages that lack the same two or more packages: one was made after the other. Each finding is of one package."""
+    """One for several packages that lack the same two or more packages: one was made after the other. Each finding is of one package.
+
+    Of two only where they are called alike: one package that is kept twice.
+    """
     alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
     for finding in findings:
         alike.setdefault((finding.severity, finding.about or (finding.message,)), []).append(finding)
     for (_, lacking), several in alike.items():
-        if len(several) < _COPIES or not several[0].about:
+        called = {posixpath.basename(posixpath.dirname(each.location.path)) for each in several}
+        if len(several) < (2 if len(called) == 1 else _COPIES) or not several[0].about:
             yield from several
             continue
         many, named = lacking

@@ -2,7 +2,8 @@
 
 Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name
 ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names,
-placeholders, words such as `admin` that anybody would try, and the name of the user that stands beside it, are left alone. The default of
+placeholders, words such as `admin` that anybody would try, a word that the name itself has (`ready` for `ready_token`: what programs tell
+each other), and the name of the user that stands beside it, are left alone. The default of
 an `<arg>` is an info, and so is a value that a comment beside it calls a default: it may be the one that everybody knows, to be replaced.
 The value itself is never printed: what is shown of the line has asterisks in its place. One value that stands in many places is told once.
 In ROS 2, which has no `<machine>`, what a `<let>` or an include hands on counts, too.
@@ -40,7 +41,7 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Location, Severity
-from launchlint.rules.judging.secret_names import is_secret
+from launchlint.rules.judging.secret_names import is_said_by_name, is_secret
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, of_ros2
 from launchlint.rules.wording import words_at
@@ -78,7 +79,8 @@ def check(view: FileView) -> Iterator[Finding]:
             name = element.get("name") or ""
             if is_secret(name):
                 for attribute in ("value", "default"):
-                    if _is_literal(element.attributes.get(attribute)) and not _is_known_word(element, attribute):
+                    said = is_said_by_name(element.get(attribute) or "", name)
+                    if not said and _is_literal(element.attributes.get(attribute)) and not _is_known_word(element, attribute):
                         yield _finding(document, element, attribute, name.strip())
 
 
@@ -90,6 +92,8 @@ def _ros2(view: FileView) -> Iterator[Finding]:
     for kind, name, text in written:
         secret = text.literal
         if secret is None or not is_secret(name) or not _is_secret_value(secret) or secret.strip().lower() in users:
+            continue
+        if is_said_by_name(secret, name):
             continue
         variable = re.sub(r"\W+", "_", name).strip("_").upper()
         yield RULE.at_location(

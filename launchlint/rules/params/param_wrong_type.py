@@ -129,7 +129,8 @@ def _refused(view: GraphView) -> Iterator[Finding]:
 def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:
     """The findings about one file share a cause, also with those about a copy of it: all params in it that are wrong in the same way.
 
-    So do those of one program to which one number is given that is no whole one: it was copied from param to param.
+    So do those of one program to which one number is given that is no whole one: it was copied from param to param; and all
+    products and quotients, which whoever writes one expects roslaunch to compute.
     """
     in_file: dict[tuple[str, str], set[str]] = {}
     for setting, finding in found:
@@ -139,6 +140,8 @@ def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Find
     for setting, finding in found:
         of_file = causes.get(_file(setting, finding)) if setting.tag == "rosparam" else None
         of_value = f"{finding.topic.partition(' ')[0]} {shown(setting.value)}" if finding.label == _ROUNDED else ""
+        if isinstance(setting.value, str) and _PRODUCT.fullmatch(setting.value):
+            of_value = f"{finding.label}: a calculation, which nobody makes"
         yield finding._replace(cause=of_file or of_value or f"{setting.tag} {finding.topic} {_mistake(setting, finding)}")
 
 

@@ -5,7 +5,8 @@ is the `from` of the remap. Of a remap outside a node it is told where this hold
 where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
 do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is where the
 sources of the node have the name in a comment, and where none of several remaps of a node matches anything and it has params that
-the program does not read, whose sources are not here: all this may be for another version. A name that the node would have if it were
+the program does not read, whose sources are not here: all this may be for another version; and so it is of a public program in a package
+that rosbuild builds. A name that the node would have if it were
 started in another way is one of its names.
 
 A nodelet in no namespace has its relative names in the namespace of its manager (roscpp makes them there, and the `<remap>` of the
@@ -65,6 +66,7 @@ from launchlint.plural import listed
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out
 from launchlint.rules.judging.name_places import is_inside
+from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild, is_read_here
 from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.own_names import OwnNames, own_names
 from launchlint.rules.judging.ros2_remaps import in_vain
@@ -190,7 +192,10 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
         notes.append(
             f"nor does any other remap here, and the params are not its own: this may be for another version of {instance.program}"
         )
-    severity = Severity.INFO if off or other or all(_is_harmless(miss) for miss in misses) else RULE.severity
+    old = not _is_read_here(instance) and is_of_rosbuild(view.packages.package_of(origin.place.source.file))
+    if old:
+        notes.append(SINCE)
+    severity = Severity.INFO if off or other or old or all(_is_harmless(miss) for miss in misses) else RULE.severity
     return RULE.at(
         origin,
         f"the remap of {written} matches nothing: {who}",
@@ -238,10 +243,14 @@ def _is_harmless(miss: _Miss) -> bool:
     return miss.instance.client != "rospy" and any(full.startswith(f"{source}/") for full in miss.names.spelled)
 
 
+def _is_read_here(instance: Instance) -> bool:
+    return any(is_read_here(endpoint) for endpoint in instance.endpoints)
+
+
 def _is_another_version(miss: _Miss) -> bool:
     """Whether all of several remaps in a ``<node>`` match nothing, and the program, whose sources are not here, reads other params."""
     instance = miss.instance
-    if any("here" in each for endpoint in instance.endpoints for each in endpoint.declaration.evidence):
+    if _is_read_here(instance):
         return False
     inside = [each for each in instance.namer.remappings.values() if each.rule.remap is not None and is_inside(each.rule.remap, instance)]
     sources = {each.source for each in inside}

@@ -8,8 +8,8 @@ set to what was its default is an info: it changed nothing when it was still rea
 left alone. What a distribution removed is an info, too, where the workspace itself (a README, a workflow, an image, a script; where none
 of these names any, the templates of the `CMakeLists.txt`) names older distributions only, where the package is built with rosbuild (it
 has a `manifest.xml`), and where a launch file of the same package, or its `package.xml`, needs a public package that was never released for
-that distribution. Each such program or param, `<master>` and `ns` are told of once, with all places; so are the attributes that
-roslaunch refuses of the machines of one file.
+that distribution. Each such program or param, `<master>` and `ns` are told of once, with all places; so is what roslaunch refuses of
+machines.
 
 ## Why it matters
 
@@ -41,20 +41,19 @@ before Kinetic only `--unsafe-fixes` does so. `--unsafe-fixes` removes attribute
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator, Mapping
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.model import Role
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, remove_element, rename_attribute, replace, set_value, spot
+from launchlint.rules.judging.of_rosbuild import AS_USUAL, is_of_rosbuild
 from launchlint.rules.judging.other_file import is_inside
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, GraphView, LaunchView
 from launchlint.source import Origin, Place
 from launchlint.syntax.problems import DeprecatedConstruct
-from launchlint.workspace.manifest import MANIFEST_FILE
 from launchlint.workspace.packages import SYSTEM_SHARE, Packages
 from launchlint.workspace.releases import never_released
 
@@ -164,8 +163,8 @@ def _for_older(distribution: str, place: Place, packages: Packages) -> tuple[str
     if packages.distributions().are_older_than(distribution):
         return ("the workspace names only older distributions of ROS",)
     home = packages.package_of(place.source.file)
-    if home is not None and posixpath.basename(home.manifest_path) == MANIFEST_FILE:
-        return ("its package is built with rosbuild, as was usual before ROS Groovy",)
+    if is_of_rosbuild(home):
+        return (AS_USUAL,)
     needed = "" if home is None else never_released((name for name in packages.needs(home) if not packages.has(name)), distribution)
     return (f"it needs {needed}, which was never released for ROS {distribution.title()}",) if needed else ()
 
@@ -218,9 +217,9 @@ def tell(problem: DeprecatedConstruct, view: FileView | LaunchView) -> Iterator[
 
 
 def _cause(problem: DeprecatedConstruct, severity: Severity) -> str:
-    """What is told once: a habit, over all files, and what roslaunch refuses of the machines of one file."""
+    """What is told once: a habit, over all files, and so is what roslaunch refuses of machines."""
     if problem.refused:
-        return f"{'env' if problem.construct == 'machine env' else 'attributes'} {problem.place.source.path}"
+        return "machine env" if problem.construct == "machine env" else "machine attributes"
     return f"{problem.construct} {severity.word}" if problem.construct in ONE_HABIT else ""
 
 

@@ -4,9 +4,10 @@ It names the slip behind the parser's complaint: the element that was never clos
 character that must be escaped. The caret stands where the mistake is, not where the parser noticed it. The includes
 that lead to the file are shown with it.
 
-It is a warning where the file is empty, and an info where it holds nothing but comments, or is a script (`#!/bin/bash`) by another
-name: nobody starts these with roslaunch. A file that another one includes is an error all the same. It is an info where the line holds the
-placeholder of a template (`<your-package>`, `__robot__`, `@ROBOT@`), or a file that nobody includes is called one.
+It is a warning where the file is empty (all empty files are told at once), and an info where it holds nothing but comments, or is a
+script (`#!/bin/bash`) by another name: nobody starts these with roslaunch. A file that another one includes is an error all the same. It
+is an info where the line holds the placeholder of a template (`<your-package>`, `__robot__`, `@ROBOT@`), or a file that nobody includes
+is called one.
 
 In ROS 2 the same is told of launch files in YAML: tabs, lines that do not line up, brackets that are never closed, tags such as
 `!!python/…`.

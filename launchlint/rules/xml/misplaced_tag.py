@@ -1,7 +1,7 @@
 """An element stands inside one that does not take it.
 
 A `<remap>` in an `<include>`, a `<node>` in a `<node>`, an `<arg>` in a `<node>`: the tag exists, and roslaunch skips
-it there, with all that it contains. What stands wrongly in one element is told at once.
+it there, with all that it contains. What stands wrongly in one element is told at once, and so is what does in all includes of a file.
 
 ## Why it matters
 
@@ -99,13 +99,19 @@ def tell(problem: MisplacedTag | MisplacedEntity, view: object) -> Iterator[Find
 
 
 def _cause(problem: MisplacedTag, view: object) -> str:
-    """One for all that stands wrongly in one element, and in its copies in other files, in which the same stands."""
+    """One for all that stands wrongly in one element, and in its copies in other files, in which the same stands.
+
+    All includes of a file count as one element: who believes that one takes a param believes it of the next.
+    """
     place = problem.place
     around = view.document.element_from(problem.within) if isinstance(view, FileView) and problem.within >= 0 else None
     if around is None or around.span.start != problem.within or len(around.children) > _MOST_ALIKE:
         return f"{place.source.path}:{problem.within} {problem.refused}"
     rule = TAGS.get(around.tag)
-    inside = (f"{each.tag} {each.get('name') or each.get('from') or ''}" for each in around.children)
+    alike = [around]
+    if around.tag == "include" and isinstance(view, FileView):
+        alike = [each for each in view.document.elements if each.tag == "include"][:_MOST_ALIKE]
+    inside = (f"{each.tag} {each.get('name') or each.get('from') or ''}" for one in alike for each in one.children[:_MOST_ALIKE])
     wrong = [each for each in inside if rule is None or each.partition(" ")[0] not in rule.children]
     return f"{problem.parent} {problem.refused} {'; '.join(wrong)}"
 

@@ -2,8 +2,9 @@
 
 Only `<rosparam>` has a text that means anything, and only where it loads YAML that is written there: not beside
 `file=` and not with `command="delete"` or `"dump"`. Everywhere else text between tags is skipped. Text that begins with `#` or
-`//`, as comments do elsewhere, is an info. The same text in several places is told once. Text that
-reads like attributes (`output="screen">`) shows a `>` too early in the tag before it. In ROS 2, no tag has a text that is read.
+`//`, as comments do elsewhere, is an info, and so is a whole comment in a `<![CDATA[…]]>`. The same text in several places is told
+once. Text that reads like attributes (`output="screen">`) shows a `>` too early in the tag before it. In ROS 2, no tag has a text that is
+read.
 
 ## Why it matters
 
@@ -73,6 +74,9 @@ def tell(problem: StrayText | UnreadText, view: object) -> Iterator[Finding]:
         reason = f'with command="{because}" roslaunch ignores the text'
         advice = "remove the text"
     comment = because == "tag" and words.startswith(("#", "//")) and "<" not in words
+    whole = because == "tag" and words.startswith("<!--") and words.endswith("-->") and words.count("-->") == 1
+    if whole:
+        advice = "a comment needs no <![CDATA[…]]> around it"
     of_a_value = because == "tag" and parent in ("param", "env", "arg")
     message = f"this text has no effect: {shown}"
     attributes = because == "tag" and _ATTRIBUTES.fullmatch(words) is not None
@@ -85,7 +89,7 @@ def tell(problem: StrayText | UnreadText, view: object) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         message,
-        severity=Severity.INFO if comment else None,
+        severity=Severity.INFO if comment or whole else None,
         label="ignored",
         notes=(reason,),
         help=advice,
