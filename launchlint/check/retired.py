@@ -49,7 +49,8 @@ def judged_by_place(findings: Iterable[Finding], known: Known) -> Iterator[Findi
             if aside and all(places.aside(path) for path in known.reached.get(finding.key, ())):
                 used = _used(known, places) if used is None else used
                 if not _is_used(finding.location.path, used):
-                    finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(aside)))
+                    note, cause = NOTE.format(aside), finding.cause and f"{finding.cause}; put aside"
+                    finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, note), cause=cause)
         yield finding
 
 

@@ -112,7 +112,7 @@ def tell(
         help="close it with ): the last character of the value must be the ) of $(eval" if open_eval else _advice(reason, command, words),
         fix=_closed(at) if open_eval else _fix(problem, view, command, words) if unknown else None,
         label="not a command" if unknown else "",
-        cause=f"{problem.place.source.path} {command if unknown else text} {reason} {problem.refused}",
+        cause=f"{f'{problem.place.source.path} {command}' if unknown else text} {reason} {problem.refused}",
     )
 
 

@@ -57,6 +57,7 @@ from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.name_places import Owners, acting_origin, how, is_known_to_act, node_origin, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
+from launchlint.workspace.registered_tests import TEST_END
 
 RULE = Rule("LL616", "competing-publishers", Severity.WARNING)
 
@@ -177,7 +178,10 @@ def _finding(channel: Channel, sources: list[Source], known: Owners, graph: Conn
         notes.append(f"whether {', '.join(guessed[:4])}{more} publish{'es' if len(guessed) == 1 else ''} all the time is not known")
     notes += [words for words in (how(each, known[id(each)]) for each in (first, last)) if words]
     here, other = acting_origin(last, known[id(last)]), node_origin(known[id(first)]).place
-    severity = Severity.INFO if taking_over or may else RULE.severity
+    tested = graph.launch.entry.file.endswith(TEST_END)
+    if tested:
+        notes.append("it is a test, which may be there to see what comes of it")
+    severity = Severity.INFO if taking_over or may or tested else RULE.severity
     programs = sorted({known[id(source.endpoint)].program for source in sources})
     return RULE.at(
         here,

@@ -2,10 +2,10 @@
 
 The same holds for server and client of a service, and of an action. It is a warning where the two types may be one
 definition under two names (a copy of a message in a package of one's own), and silent where they are: both are in the workspace, and are
-alike field by field. Of two such types it is an info where one end is a program of a package that rosbuild builds, and the other one is
-public: which type that had then nobody knows here. The same two programs with the same two types are told of once, also where several
-launch files start them, and so are all programs that take one of two such names for the other. In ROS 2 types of different names never
-meet, whatever is in them.
+alike field by field. Of two such types it is an info where one end is a program of the workspace and the other one is public, and the
+former is in a package that rosbuild builds, or the package of the latter lies in the workspace, too: which type that version of it has
+nobody knows here. The same two programs with the same two types are told of once, also where several launch files start them, and so are
+all programs that take one of two such names for the other. In ROS 2 types of different names never meet, whatever is in them.
 
 ## Why it matters
 
@@ -51,6 +51,7 @@ from launchlint.late import late
 from launchlint.model import ROS2
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild, is_read_here
+from launchlint.rules.judging.other_file import is_inside
 from launchlint.rules.judging.same_definition import is_known, may_be_alike, may_be_copies
 from launchlint.rules.judging.written_definition import are_written_alike
 from launchlint.rules.rule import Rule
@@ -126,9 +127,9 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
     if copies:
         notes = [f"unless the two are defined alike, field by field: {effect}"]
     notes.extend(text for text in (how(acting, mine), how(other, theirs)) if text)
-    old = copies and (_is_older(offer, use, view) or _is_older(use, offer, view))
+    old = (_other_version(offer, use, view) or _other_version(use, offer, view)) if copies else ""
     if old:
-        notes.append(SINCE)
+        notes.append(old)
     found = RULE.at(
         acting_origin(acting, mine),
         f"{giver.name} {TALKS[offer.role]} {channel.name} as {offer.type}, but {taker.name} {TALKS[use.role]} it as {use.type}",
@@ -146,9 +147,14 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
     return with_sources(found, acting, other)
 
 
-def _is_older(own: Endpoint, other: Endpoint, view: GraphView) -> bool:
-    """Whether ``own`` is read from a package that rosbuild builds, and ``other`` is what a public program does."""
+def _other_version(own: Endpoint, other: Endpoint, view: GraphView) -> str:
+    """Why what is known of ``other``, a public program, may not hold beside ``own``, which is read here; empty where nothing says so."""
     if not is_read_here(own) or is_read_here(other):
-        return False
-    package = view.once(owners)[id(own)].program.partition("/")[0]
-    return is_of_rosbuild(view.packages.get(package, view.launch.entry.file))
+        return ""
+    mine, public = (view.once(owners)[id(end)].program.partition("/")[0] for end in (own, other))
+    if is_of_rosbuild(view.packages.get(mine, view.launch.entry.file)):
+        return SINCE
+    found = view.packages.get(public, view.launch.entry.file)
+    if found is not None and is_inside(found.directory, view.packages.workspaces):
+        return f"{public} lies in this workspace, and what is known of its programs is what a release does"
+    return ""

@@ -169,12 +169,15 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         notes=tuple(notes),
         help=advice,
         fix=repair,
-        shared_cause=left_over_in(file, view)
+        shared_cause=(_BESIDE if beside else left_over_in(file, view))
         or (moved(file, meant) if severity is None and repair is not None else "")
         or (lacking(file) if severity is None and advice.startswith(_CORRECT) and not relative and installed is None else "")
         or ("" if relative or environment or installed is not None else cause_of(file, maker)),
         about=(named,) if file else (),
     )
+
+
+_BESIDE = "a relative name, found only beside the file"
 
 
 def together(findings: Sequence[Finding]) -> Finding:

@@ -38,7 +38,9 @@ _ORIGIN = late(r"<url\b[^>]*\btype\s*=\s*[\"'](?:bugtracker|repository)[\"'][^>]
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
 _PAGE = late(r"<url\b[^>]*>\s*https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?(/[^\s<]+)")
 _COMMENT = late(r"<!--.*?-->", re.DOTALL)
-_DOWNLOADED = late(r".+-(?:master|main|develop|(?:[a-z]+-)?devel|v?\d+(?:\.\d+)+)")
+_DOWNLOADED = late(
+    r".+-(?:master|main|develop|(?:[a-z]+-)?devel|fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|v?\d+(?:\.\d+)+)"
+)
 """What the archive of a repository is unpacked to: its name with that of the branch or the release."""
 
 
@@ -90,21 +92,17 @@ def is_copy(home: Package, packages: Packages) -> bool:
 
 
 def is_from_elsewhere(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is a public package in a workspace of others that says which repository it is from, or which page of ROS's wiki.
-
-    It may be changed here.
-    """
-    named = home.manifest is not None and (bool(_origins(home.manifest)) or bool(_pages(home.manifest.source.text)))
-    return named and _is_of_others(home, packages)
+    """Whether ``home`` is a public package in a workspace of others that says which repository it is from; it may be changed here."""
+    return home.manifest is not None and bool(_origins(home.manifest)) and _is_of_others(home, packages)
 
 
 def _is_of_others(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is named as a public package, or has a page in ROS's wiki, and most packages are of others.
+    """Whether ``home`` is named as a public package, and most packages are of others.
 
     That is: they are not public, and at most a few, which came with it, have its people or are from its owner; or several are not public,
     and none of these is theirs.
     """
-    if home.manifest is None or not (home.name in public_names() or f"/{home.name}" in _pages(home.manifest.source.text)):
+    if home.manifest is None or home.name not in public_names():
         return False
     people, origins = _people(home.manifest), _origins(home.manifest)
     if not people:
