@@ -336,10 +336,7 @@ def together(findings: Sequence[Finding]) -> Finding:
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for several packages that lack the same two or more packages: one was made after the other. Each finding is of one package.
-
-    Of two only where they are called alike: one package that is kept twice.
-    """
+    """One for several packages that lack the same two or more packages: one was made after the other, or is the same, kept twice."""
     alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
     for finding in findings:
         alike.setdefault((finding.severity, finding.about or (finding.message,)), []).append(finding)
@@ -348,8 +345,9 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
         if len(several) < (2 if len(called) == 1 else _COPIES) or not several[0].about:
             yield from several
             continue
-        many, named = lacking
-        yield joined(several)._replace(message=f"{len(several)} packages do not declare {many} that their launch files use: {named}")
+        yield joined(several)._replace(
+            message=f"{len(several)} packages do not declare {lacking[0]} that their launch files use: {lacking[1]}"
+        )
 
 
 def _is_beside(name: str, packages: Packages, near: str) -> bool:
