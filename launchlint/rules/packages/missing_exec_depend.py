@@ -340,14 +340,12 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
     for finding in findings:
         alike.setdefault((finding.severity, finding.about or (finding.message,)), []).append(finding)
-    for (_, lacking), several in alike.items():
+    for (_, lack), several in alike.items():
         called = {posixpath.basename(posixpath.dirname(each.location.path)) for each in several}
-        if len(several) < (2 if len(called) == 1 else _COPIES) or not several[0].about:
-            yield from several
-            continue
-        yield joined(several)._replace(
-            message=f"{len(several)} packages do not declare {lacking[0]} that their launch files use: {lacking[1]}"
-        )
+        if len(several) >= (2 if len(called) == 1 else _COPIES) and several[0].about:
+            said = f"{len(several)} packages do not declare {lack[0]} that their launch files use: {lack[1]}"
+            several = [joined(several)._replace(message=said)]
+        yield from several
 
 
 def _is_beside(name: str, packages: Packages, near: str) -> bool:
