@@ -73,6 +73,7 @@ LAZY = {
     "asyncio",
     "concurrent",
     "docker",
+    "jinja2",
     "lxml",
     "multiprocessing",
     "networkx",

@@ -36,6 +36,7 @@ HEAVY = (
     "docker",
     "email",
     "http",
+    "jinja2",
     "lxml",
     "multiprocessing",
     "networkx",

@@ -1,1 +1,0 @@
-"""The markup of the page, part by part."""
