@@ -75,7 +75,8 @@ class Manifest(NamedTuple):
     ``format`` is 1, 2 or 3, and 0 for ``manifest.xml``. ``plugins`` are the values of ``<export><nodelet plugin="…"/></export>`` with
     ``${prefix}`` replaced by the package's directory. ``build_types`` are the texts of ``<export><build_type>``, ``build_conditions`` the
     condition of each of them. ``root_end`` is the place of the root's closing tag (``None`` where there is none), ``name_span`` that of
-    the ``<name>`` element.
+    the ``<name>`` element. ``people`` are the addresses of maintainers and authors in small letters, ``urls`` the type and the text of each
+    ``<url>``.
     """
 
     source: Source
@@ -88,6 +89,8 @@ class Manifest(NamedTuple):
     name_span: Span | None
     root_end: Span | None
     build_conditions: tuple[str, ...] = ()
+    people: frozenset[str] = frozenset()
+    urls: tuple[tuple[str, str], ...] = ()
 
     def under(self, context: Mapping[str, str]) -> Manifest:
         """What is left of it where the variables in its conditions (format 3, REP 149) are those of ``context``.
@@ -220,6 +223,8 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
     dependencies: list[Dependency] = []
     plugins: list[str] = []
     build_types: list[tuple[str, str]] = []
+    people: set[str] = set()
+    urls: list[tuple[str, str]] = []
     for element in _elements(source.text):
         tag, attributes = element.tag, element.attributes
         condition = attributes.get("condition", "")
@@ -234,6 +239,10 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
                 plugins.append(attributes["plugin"].replace("${prefix}", directory))
         elif len(element.parents) != 1:
             continue
+        elif tag in ("maintainer", "author"):
+            people.add(attributes.get("email", "").lower())
+        elif tag == "url":
+            urls.append((attributes.get("type", ""), element.text.strip()))
         elif old:
             if tag == "depend":
                 dependencies.append(Dependency(attributes.get("package", "").strip(), tag, element.span))
@@ -252,6 +261,8 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
         name_span,
         root_end,
         tuple(condition for each, condition in build_types if each),
+        frozenset(filter(None, people)),
+        tuple(urls),
     )
 
 

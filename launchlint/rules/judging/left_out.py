@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
-from functools import lru_cache
 
 from launchlint.late import late
 from launchlint.rules.judging.metapackages import members
@@ -33,11 +31,9 @@ _TRIAL = late(r"(?:^|[/_.-])(?:tests?|debug|examples?|demos?|tryout|bench\w*)(?:
 _LAUNCH_ENDS = (".launch", ".launch.xml", TEST_END)
 _MOST_DIRECTORIES = 100
 _TESTS = late(r"(?:^|/)tests?/")
-_ADDRESS = late(r"<(?:maintainer|author)\b[^>]*\bemail\s*=\s*[\"']([^\"']+)[\"']")
-_ORIGIN = late(r"<url\b[^>]*\btype\s*=\s*[\"'](?:bugtracker|repository)[\"'][^>]*>\s*https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
+_REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
-_PAGE = late(r"<url\b[^>]*>\s*https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?(/[^\s<]+)")
-_COMMENT = late(r"<!--.*?-->", re.DOTALL)
+_WIKI = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/[^\s<]")
 _DOWNLOADED = late(
     r".+-(?:master|main|develop|(?:[a-z]+-)?devel|fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|v?\d+(?:\.\d+)+)"
 )
@@ -104,7 +100,7 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     """
     if home.manifest is None or home.name not in public_names():
         return False
-    people, origins = _people(home.manifest), _origins(home.manifest)
+    people, origins = home.manifest.people, _origins(home.manifest)
     if not people:
         return False
     own = public = theirs = 0
@@ -114,7 +110,7 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
                 continue
             if each.name in public_names():
                 public += 1
-            elif people.isdisjoint(_people(each.manifest)) and origins.isdisjoint(_origins(each.manifest)):
+            elif people.isdisjoint(each.manifest.people) and origins.isdisjoint(_origins(each.manifest)):
                 own += 1
             else:
                 theirs += 1
@@ -144,10 +140,10 @@ def _is_apart(directory: str, packages: Packages, *, sure: bool) -> bool:
     everything = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
     manifests = {each.directory: each.manifest for each in everything if each.manifest is not None}
     within = [manifest for each, manifest in manifests.items() if f"{each}/".startswith(f"{directory}/")]
-    if not sure and not (len(within) > 1 and 2 * sum(bool(_pages(manifest.source.text)) for manifest in within) > len(within)):
+    if not sure and not (len(within) > 1 and 2 * sum(map(_is_in_wiki, within)) > len(within)):
         return False
-    inside = frozenset().union(*map(_people, within))
-    outside = [_people(manifest) for each, manifest in manifests.items() if not f"{each}/".startswith(f"{directory}/")]
+    inside = frozenset().union(*(manifest.people for manifest in within))
+    outside = [manifest.people for each, manifest in manifests.items() if not f"{each}/".startswith(f"{directory}/")]
     theirs = sum(not inside.isdisjoint(people) for people in outside)
     return bool(inside) and len(outside) - theirs >= max(_SOME, _MUCH_MORE * theirs)
 
@@ -156,28 +152,14 @@ def _is_unpacked(directory: str) -> bool:
     return _DOWNLOADED.fullmatch(posixpath.basename(directory)) is not None
 
 
-@lru_cache(maxsize=4096)
-def _pages(text: str) -> frozenset[str]:
-    """The pages of the wiki of ROS that a manifest names; a template, which proposes one, does so in a comment."""
-    return frozenset(page.rstrip("/") for page in _PAGE.findall(_COMMENT.sub("", text)))
-
-
-def _people(manifest: Manifest) -> frozenset[str]:
-    return _addresses(manifest.source.text)
+def _is_in_wiki(manifest: Manifest) -> bool:
+    """Whether a page in the wiki of ROS is named; a template proposes one in a comment."""
+    return any(_WIKI.match(address) is not None for _, address in manifest.urls)
 
 
 def _origins(manifest: Manifest) -> frozenset[str]:
-    return _owners(manifest.source.text)
-
-
-@lru_cache(maxsize=4096)  # the manifests of a workspace are asked for each package that is missing anywhere in it
-def _addresses(text: str) -> frozenset[str]:
-    return frozenset(address.lower() for address in _ADDRESS.findall(_COMMENT.sub("", text)))
-
-
-@lru_cache(maxsize=4096)
-def _owners(text: str) -> frozenset[str]:
-    return frozenset(owner.lower() for owner in _ORIGIN.findall(text))
+    found = (_REPOSITORY.match(address) for type_, address in manifest.urls if type_ in ("bugtracker", "repository"))
+    return frozenset(match[1].lower() for match in found if match is not None)
 
 
 def _base() -> frozenset[str]:

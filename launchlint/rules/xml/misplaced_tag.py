@@ -62,6 +62,7 @@ In ROS 2, launch refuses the file: that is an error.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import islice
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.joined import joined
@@ -110,7 +111,7 @@ def _cause(problem: MisplacedTag, view: object) -> str:
     rule = TAGS.get(around.tag)
     alike = [around]
     if around.tag == "include" and isinstance(view, FileView):
-        alike = [each for each in view.document.elements if each.tag == "include"][:_MOST_ALIKE]
+        alike = list(islice((each for each in view.document.elements if each.tag == "include"), _MOST_ALIKE))
     inside = (f"{each.tag} {each.get('name') or each.get('from') or ''}" for one in alike for each in one.children[:_MOST_ALIKE])
     wrong = [each for each in inside if rule is None or each.partition(" ")[0] not in rule.children]
     return f"{problem.parent} {problem.refused} {'; '.join(wrong)}"
