@@ -154,3 +154,14 @@ def test_file_that_is_too_large_or_no_file(tmp_path: Path) -> None:
         read_manifest(str(large))
     with pytest.raises(OSError, match="it is not a plain file"):
         read_manifest(str(tmp_path))
+
+
+def test_people_and_pages() -> None:
+    text = """<package format="2"><name>p</name>
+      <maintainer email="One@Example.org">One</maintainer><author email="two@example.org">Two</author><author>Three</author>
+      <!-- <maintainer email="four@example.org"/> <url type="website">http://wiki.ros.org/none</url> -->
+      <url type="repository"> https://github.com/one/p </url><url>http://wiki.ros.org/p</url>
+      <export><url>http://elsewhere.org</url><author email="five@example.org"/></export></package>"""
+    manifest = parse_manifest(text.encode(), "/p/package.xml")
+    assert manifest.people == {"one@example.org", "two@example.org"}
+    assert manifest.urls == (("repository", "https://github.com/one/p"), ("", "http://wiki.ros.org/p"))
