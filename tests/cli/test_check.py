@@ -306,10 +306,12 @@ def test_a_comment_in_yaml_silences_a_rule(repository: Path) -> None:
 
 def test_launch_files_in_python_are_read_and_what_only_looks_like_one_is_not(repository: Path) -> None:
     test = "def generate_test_description():\n    pass\n"
-    write(repository, {"demo/launch/two.launch.py": "", "demo/launch/three_launch.py": "", "demo/launch/four.launch.py": test})
+    write(
+        repository, {"demo/launch/two.launch.py": "import launch\n", "demo/launch/three_launch.py": "", "demo/launch/four.launch.py": test}
+    )
     status, output, errors = concise(repository)
     assert (status, errors) == (1, "")
-    assert "demo/launch/two.launch.py:1:1: warning LL932 no-description" in output
+    assert "demo/launch/two.launch.py:1:1: error LL932 no-description" in output
     assert "three_launch.py" not in output
     assert "four.launch.py" not in output
 
