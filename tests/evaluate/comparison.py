@@ -128,25 +128,30 @@ def theirs(ros_python: str, cases: Sequence[tuple[Case, Path]]) -> list[dict[str
     return [json.loads(line) for line in run.stdout.splitlines()]
 
 
-def difference(real: Any, own: Any, where: str = "") -> str:
+def difference(real: Any, own: Any) -> str:
     """The first thing in which two answers differ, in words; empty where they are equal (the reason of a refusal is not compared)."""
-    if where == "" and (real["verdict"] != "ok" or own["verdict"] != "ok"):
+    if real["verdict"] != "ok" or own["verdict"] != "ok":
         return "" if real["verdict"] == own["verdict"] else f"roslaunch: {told(real)}; launchlint: {told(own)}"
-    if isinstance(real, dict) and isinstance(own, dict):
-        for key in sorted({*real, *own}):
-            if key not in real or key not in own:
-                return f"{where}.{key}: only {'roslaunch' if key in real else 'launchlint'} has it"
-            found = difference(real[key], own[key], f"{where}.{key}")
+    return first_difference(real, own, ("roslaunch", "launchlint"))
+
+
+def first_difference(one: Any, other: Any, sides: tuple[str, str], where: str = "") -> str:
+    """The first thing in which two values differ, in words that call them as ``sides`` says; empty where they are equal."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        for key in sorted({*one, *other}):
+            if key not in one or key not in other:
+                return f"{where}.{key}: only {sides[key not in one]} has it"
+            found = first_difference(one[key], other[key], sides, f"{where}.{key}")
             if found:
                 return found
         return ""
-    if isinstance(real, list) and isinstance(own, list):
-        for index, (left, right) in enumerate(zip(real, own, strict=False)):
-            found = difference(left, right, f"{where}[{index}]")
+    if isinstance(one, list) and isinstance(other, list):
+        for index, (left, right) in enumerate(zip(one, other, strict=False)):
+            found = first_difference(left, right, sides, f"{where}[{index}]")
             if found:
                 return found
-        return "" if len(real) == len(own) else f"{where}: {len(real)} items for roslaunch, {len(own)} for launchlint"
-    return "" if real == own and type(real) is type(own) else f"{where}: roslaunch {real!r}, launchlint {own!r}"
+        return "" if len(one) == len(other) else f"{where}: {len(one)} items for {sides[0]}, {len(other)} for {sides[1]}"
+    return "" if one == other and type(one) is type(other) else f"{where}: {sides[0]} {one!r}, {sides[1]} {other!r}"
 
 
 def told(answer: Mapping[str, Any]) -> str:

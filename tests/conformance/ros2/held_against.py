@@ -11,7 +11,7 @@ import collections
 import json
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from launchlint.evaluate.ros2.launch import evaluate
@@ -29,10 +29,14 @@ AT_ONCE = 25
 
 def own_answer(real: FrontEnd, corpus: Path, directory: Path, workspace: Workspace) -> Answer:
     """What launchlint makes of a workspace that is written to ``directory``."""
-    variables = real.environment()
-    session = Session(Packages([str(directory)], variables, explicit=True), variables, str(corpus), distro=real.distro)
-    file = str(directory / workspace.entry)
-    launch = evaluate(session, file, tuple(workspace.arguments.items())).launch
+    return launched(corpus, directory, workspace.entry, workspace.arguments, real.environment(), real.distro)
+
+
+def launched(root: Path, directory: Path, entry: str, given: Mapping[str, str], variables: Mapping[str, str], distro: str) -> Answer:
+    """What launchlint says is launched by a file in ``directory``, which has all packages; paths are shown from ``root`` on."""
+    session = Session(Packages([str(directory)], variables, explicit=True), variables, str(root), distro=distro)
+    file = str(directory / entry)
+    launch = evaluate(session, file, tuple(given.items())).launch
     error = None if launch.refused is None else ("", launch.refused.kind)
     answer: Answer = json.loads(json.dumps(as_object(launch, file, error)))
     return answer

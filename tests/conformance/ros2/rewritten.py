@@ -15,24 +15,25 @@ import re
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
 
-from launchlint.evaluate.ros2.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.export.ros2.converting import ENDS, XML, YAML, convert
 from launchlint.export.ros2.flattening import flatten
 from launchlint.export.written import CannotExport
 from launchlint.fix.format.formatting import formatted
 from launchlint.fix.format.style import Style
-from launchlint.report.launched import as_object
 from launchlint.workspace.packages import Packages
 from tests.conformance import fixes
 from tests.conformance.ros2.elements import read
 from tests.conformance.ros2.front_end import Answer, FrontEnd, Question, front_end
+from tests.conformance.ros2.held_against import launched
 from tests.conformance.ros2.mutant_audit import KINDS, mutants
 from tests.conformance.ros2.random_workspace import Workspace, random_workspace
+from tests.evaluate import comparison
 
 DISTRO = "jazzy"
 VARIABLES = {"HOME": "/home/user", "USER": "user", "ROS_DISTRO": DISTRO}
@@ -70,15 +71,6 @@ class Rewritten(NamedTuple):
 def session_in(directory: Path, variables: Mapping[str, str]) -> Session:
     """A session that sees the packages in ``directory`` and nothing of this machine."""
     return Session(Packages([str(directory)], variables, explicit=True), variables, str(directory), distro=DISTRO)
-
-
-def launched(directory: Path, entry: str, given: Mapping[str, str], variables: Mapping[str, str]) -> Answer:
-    """What launchlint says is launched."""
-    file = str(directory / entry)
-    launch = evaluate(session_in(directory, variables), file, tuple(given.items())).launch
-    error = None if launch.refused is None else ("", launch.refused.kind)
-    answer: Answer = json.loads(json.dumps(as_object(launch, file, error)))
-    return answer
 
 
 def repaired(directory: Path, workspace: Workspace, seed: int, variables: Mapping[str, str]) -> Iterator[Rewritten]:
@@ -144,17 +136,7 @@ def compared(answer: Answer, command: str, entry: str, directory: Path) -> Any:
     return json.loads(text)
 
 
-def first_difference(before: Any, after: Any, where: str = "") -> str:
-    """The first thing in which two answers differ, in words; empty where they are equal."""
-    if isinstance(before, dict) and isinstance(after, dict):
-        for key in sorted({*before, *after}):
-            found = first_difference(before.get(key), after.get(key), f"{where}.{key}")
-            if found:
-                return found
-        return ""
-    if isinstance(before, list) and isinstance(after, list) and len(before) == len(after):
-        return next(filter(None, (first_difference(*pair, f"{where}[{n}]") for n, pair in enumerate(zip(before, after, strict=True)))), "")
-    return "" if before == after and type(before) is type(after) else f"{where}: before {before!r}, after {after!r}"
+first_difference = partial(comparison.first_difference, sides=("before", "after"))
 
 
 class Judged(NamedTuple):
@@ -180,7 +162,7 @@ def judged(seeds: Sequence[int], real: FrontEnd | None) -> list[Judged]:
             workspace = workspace_of(seed)
             directory = corpus / f"w{seed}"
             workspace.write(directory)
-            before = launched(directory, workspace.entry, workspace.arguments, variables)
+            before = launched(directory, directory, workspace.entry, workspace.arguments, variables, DISTRO)
             if before["verdict"] != "ok":
                 continue
             for number, each in enumerate(rewritten(directory, workspace, seed, variables)):
@@ -189,7 +171,7 @@ def judged(seeds: Sequence[int], real: FrontEnd | None) -> list[Judged]:
                     workspace.write(copy)
                 for file, data in each.files.items():
                     (copy / file).write_bytes(data)
-                after = launched(copy, each.entry, each.given, variables)
+                after = launched(copy, copy, each.entry, each.given, variables, DISTRO)
                 found.append(Judged(seed, each.command, _difference(before, after, workspace, directory, each, copy)))
                 asked.append((seed, workspace, directory, each, copy))
         if real is not None:
