@@ -6,6 +6,7 @@ import contextlib
 import io
 import os
 import sys
+import tempfile
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
@@ -14,9 +15,9 @@ from pathlib import Path
 def calls(words: Sequence[str], directory: Path, bounds: Mapping[str, int]) -> int:
     """The calls (of Python and of C) that ``launchlint WORDS`` makes in ``directory``.
 
-    It runs in a fork of this process, so that nothing is kept from one count to the next. ``bounds`` are launchlint's own, by module and
-    name, with the numbers to put in their place: a small workspace lies beyond a small bound as a great one beyond the real one. Raises
-    :exc:`RuntimeError` where the command ends by an exception or with a status above 1.
+    It runs in a fork of this process, with an empty cache, so that nothing is kept from one count to the next. ``bounds`` are launchlint's
+    own, by module and name, with the numbers to put in their place: a small workspace lies beyond a small bound as a great one beyond the
+    real one. Raises :exc:`RuntimeError` where the command ends by an exception or with a status above 1.
     """
     from launchlint.cli import main  # in the parent, so that no count has the imports in it
 
@@ -34,6 +35,7 @@ def calls(words: Sequence[str], directory: Path, bounds: Mapping[str, int]) -> i
     os.close(reading)
     try:
         os.chdir(directory)
+        os.environ["XDG_CACHE_HOME"] = tempfile.mkdtemp(dir=directory.parent)
         for place, most in bounds.items():
             module, _, constant = place.rpartition(".")
             assert isinstance(getattr(import_module(module), constant), int)
