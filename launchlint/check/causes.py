@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from launchlint.check import copied_block, fragments
+from launchlint.check import copied, copied_block, fragments
 from launchlint.finding import Finding, Severity
 from launchlint.order import most_severe_first, ordered
 from launchlint.rules.judging.joined import joined, spokesman
@@ -38,10 +38,8 @@ def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
         alike.setdefault(cause, []).append(finding)
     if not alike:
         return tuple(result)
-    groups = _with_copies(alike.values())
-    joint = [_told(group) for group in groups if len(group) > 1]
-    alone = [group[0] for group in groups if len(group) == 1]
-    return tuple(ordered([*result, *alone, *_of_copies(joint)]))
+    told = [_told(group) if len(group) > 1 else group[0] for group in _with_copies(alike.values())]
+    return tuple(ordered([*result, *_of_copies(told)]))
 
 
 def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
@@ -67,7 +65,7 @@ def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
 
 
 def _of_copies(findings: Iterable[Finding]) -> Iterator[Finding]:
-    """``findings``, each of which speaks for several; one for those that say the same of copies, where their rule knows such."""
+    """``findings`` of one cause each; one for those that say the same of copies, where their rule knows such."""
     by_rule: dict[str, list[Finding]] = {}
     for finding in findings:
         by_rule.setdefault(finding.rule, []).append(finding)
@@ -84,6 +82,8 @@ def _told(findings: Sequence[Finding]) -> Finding:
         return fragments.told_together(most_severe_first(findings))
     if first.cause.startswith(copied_block.PREFIX):
         return copied_block.told_together(most_severe_first(findings))
+    if first.cause.startswith(copied.PREFIX):
+        return copied.told_together(most_severe_first(findings))
     rule = find(first.rule)
     together: Callable[[Sequence[Finding]], Finding] | None = None if rule is None else getattr(rule.load(), "together", None)
     return joined(findings) if together is None else together(most_severe_first(findings))

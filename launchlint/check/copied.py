@@ -1,19 +1,24 @@
 """Copies of public packages, and of whole projects, among packages of other people: what is untidy there is for those to mend who maintain
-the original; and so is whatever is wrong in those launch files of a copied package that nothing outside of it leads to.
+the original; and so is whatever is wrong in those launch files of a copy that nothing outside of it leads to.
+
+What is refused in such a file of a project that may have been changed here, or not kept whole, is a warning; all of it is told once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import posixpath
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from launchlint.check.known import Known
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Related, Severity
+from launchlint.rules.judging.joined import joined
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 
+PREFIX = "project "
 NOTE = "{} is a copy of a public package, and that is where to mend it"
-NAMED = "{} names another repository as its own, and that is where to mend it"
+NAMED = "{} is called as a public package, other people than here maintain it, and that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL508", "LL601", "LL623", "LL702"))
@@ -21,16 +26,17 @@ _UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL50
 
 
 class _Origin(NamedTuple):
-    """Whose copy a package is, in words (empty: nobody's), and whether it certainly is one of a public package."""
+    """Whose copy a package is, in words (empty: nobody's); the directory that was copied; whether it certainly is a public package."""
 
     note: str
+    directory: str = ""
     is_public: bool = False
 
 
 def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
-    """``findings``, the warnings of rules about untidiness in copied packages as infos, apart from those elsewhere.
+    """``findings``, those in copies at a milder level, where they are untidy, or only launch files of the copy lead to them.
 
-    In copies of public packages all that people meet only who start a launch file of the copy.
+    Then warnings are infos, and errors are, too, in copies of public packages; in other projects these are warnings of one cause.
     """
     copies: dict[str, _Origin] = {}
     for finding in findings:
@@ -40,26 +46,52 @@ def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Find
             if package is not None:
                 if package.directory not in copies:
                     copies[package.directory] = _origin(package, known.packages)
-                note, is_public = copies[package.directory]
-                if note and (untidy or (is_public and _is_its_own(finding, package, known))):
-                    cause = finding.cause and f"{finding.cause}; {note}"
-                    finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, note), cause=cause)
+                origin = copies[package.directory]
+                if origin.note and (untidy or _is_its_own(finding, origin.directory, known)):
+                    finding = _milder(finding, origin)
         yield finding
 
 
-def _is_its_own(finding: Finding, package: Package, known: Known) -> bool:
-    """Whether only launch files of ``package`` itself lead to ``finding``."""
+def told_together(findings: Sequence[Finding]) -> Finding:
+    """One for all that is refused in one project: how much that is, with the places."""
+    told = joined(findings)
+    count = len({(each.message, each.location) for each in findings})
+    if count == 1:
+        return told
+    others = tuple(Related(each.location, each.message) for each in findings if each.location != told.location)
+    return told._replace(
+        message=f"{count} things are wrong in {posixpath.basename(told.cause)}, a project of other people that is kept here",
+        label=min(findings, key=lambda each: each.location != told.location).message,
+        related=others,
+        notes=(told.notes[-1],),
+        help="get it again as it is there, or leave out what is not needed here",
+        fix=None,
+    )
+
+
+def _milder(finding: Finding, origin: _Origin) -> Finding:
+    notes = (*finding.notes, origin.note)
+    if finding.severity is Severity.ERROR and not origin.is_public:
+        return finding._replace(severity=Severity.WARNING, notes=notes, cause=PREFIX + origin.directory)
+    return finding._replace(severity=Severity.INFO, notes=notes, cause=finding.cause and f"{finding.cause}; {origin.note}")
+
+
+def _is_its_own(finding: Finding, directory: str, known: Known) -> bool:
+    """Whether only launch files in ``directory`` lead to ``finding``."""
     paths = {finding.location.path, *known.reached.get(finding.key, ())}
-    return all(known.file(path).startswith(f"{package.directory}/") for path in paths)
+    return all(known.file(path).startswith(f"{directory}/") for path in paths)
 
 
 def _origin(package: Package, packages: Packages) -> _Origin:
     """Whose copy a package is."""
-    from launchlint.rules.judging.left_out import is_copy, is_from_elsewhere, kept_whole
+    from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_released, kept_whole
 
     if is_copy(package, packages):
-        return _Origin(NOTE.format(package.name), True)
-    if is_from_elsewhere(package, packages):
-        return _Origin(NAMED.format(package.name))
+        return _Origin(NOTE.format(package.name), package.directory, is_public=True)
     project = kept_whole(package, packages)
-    return _Origin(WHOLE.format(package.name, project) if project else "")
+    if project:
+        note = WHOLE.format(package.name, posixpath.basename(project))
+        return _Origin(note, project, is_public=is_released(package))
+    if is_from_elsewhere(package, packages):
+        return _Origin(NAMED.format(package.name), package.directory)
+    return _Origin("")

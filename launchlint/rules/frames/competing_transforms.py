@@ -132,8 +132,15 @@ def _finding(both: Sequence[tuple[Published, Published]], graph: ConnectionGraph
         notes=notes,
         help="start only one of them, or give each a frame of its own",
         topic=other.child,
-        cause=" ".join((severity.word, *(f"{each.instance.program} {each.parent}" for each in both[0]), *frames)),
+        cause=" ".join((severity.word, *_sources(both[0]), *frames)),
     )
+
+
+def _sources(both: tuple[Published, Published]) -> list[str]:
+    """What tells one cause from another: of a static transform beside what works it out, whatever does that, the static one."""
+    programs = [each.instance.program for each in both]
+    static = [each for each in programs if each in STATIC]
+    return [" ".join(map(str, static if len(static) == 1 else programs)), *sorted(each.parent for each in both)]
 
 
 def _place(instance: Instance) -> Origin:

@@ -80,6 +80,7 @@ RULE = Rule("LL406", "non-portable-path", Severity.WARNING, fixable="safe")
 
 _ATTRIBUTES = {"include": ("file",), "rosparam": ("file",), "param": ("textfile", "binfile")}
 _TEXTS = {"arg": ("value", "default"), "param": ("value",), "node": ("args",), "test": ("args",), "env": ("value",)}
+_ALIKE = "; the others alike"
 _HOME = r"(?<![\w.$/\\-])(?:/home/|/Users/)[\w.-]+/"
 _TILDE = r"(?<![\w.$/\\-])~/(?:\.[\w-]|(?:[\w. -]+/)*[\w-]+\.[A-Za-z]\w{0,5}\b)[^\s\"';,:]*"
 """``~/.ros/x`` or ``~/maps/hall.yaml``; ``~/scan`` may well be a topic."""
@@ -156,7 +157,17 @@ def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
 def together(findings: Sequence[Finding]) -> Finding:
     """The paths of one machine, each with a name of its own to write."""
     told = joined(findings)
-    return told if len({each.help for each in findings}) < 2 else told._replace(help=f"{told.help}; the others alike")
+    return told if len({each.help for each in findings}) < 2 else told._replace(help=f"{told.help.removesuffix(_ALIKE)}{_ALIKE}")
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for all paths of one person's home directory, also where some of the files are told to be missing."""
+    homes: dict[object, list[Finding]] = {}
+    for finding in findings:
+        found = re.match(_HOME, finding.message)
+        homes.setdefault((finding.severity, found[0]) if found else id(finding), []).append(finding)
+    for several in homes.values():
+        yield together(several) if len(several) > 1 else several[0]
 
 
 def _missing(at: Spot) -> str:

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from launchlint.finding import Edit, Finding, Fix, Related
+from launchlint.late import late
 
 _ALIKE = ", and the others alike"
+_MORE = late(r" \(and at (\d+) more places?\)$")
 
 
 def spokesman(findings: Sequence[Finding]) -> Finding:
@@ -26,13 +28,21 @@ def joined(findings: Sequence[Finding], first: Finding | None = None) -> Finding
         related.setdefault(finding.location, Related(finding.location, finding.label or finding.message))
         for item in finding.related:
             related.setdefault(item.location, item)
-    places = f" (and at {len(new)} more place{'' if len(new) == 1 else 's'})" if new else ""
+    said, known = _said_of(first)
+    more = known + sum(1 + _said_of(finding)[1] for finding in new)  # some of them may speak for several places already
+    places = f" (and at {more} more place{'' if more == 1 else 's'})" if more else ""
     return first._replace(
-        message=f"{first.message}{places}",
+        message=f"{said}{places}",
         related=tuple(related.values()),
         entries=max(finding.entries for finding in findings),
         fix=_joined_fix([first, *others]),
     )
+
+
+def _said_of(finding: Finding) -> tuple[str, int]:
+    """What a finding says, and of how many places more than its own."""
+    found = _MORE.search(finding.message)
+    return (finding.message, 0) if found is None else (finding.message[: found.start()], int(found[1]))
 
 
 def led_by(findings: Sequence[Finding], *rules: str) -> Finding:

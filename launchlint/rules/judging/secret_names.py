@@ -14,8 +14,12 @@ _SECRET = late(
 
 
 def is_said_by_name(value: str, name: str) -> bool:
-    """Whether ``value`` is one of the words of ``name``: ``ready`` for ``ready_token`` is a word that programs tell each other."""
-    return value.strip().lower() in re.split(r"[\W_]+", re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name.strip()).lower())
+    """Whether ``value`` is one of the words of ``name``, a token: ``ready`` for ``ready_token`` is a word that programs tell each other.
+
+    A password or a key that its name says is one all the same.
+    """
+    words = re.split(r"[\W_]+", re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name.strip()).lower())
+    return words[-1] == "token" and value.strip().lower() in words
 
 
 def is_secret(name: str, *, variable: bool = False) -> bool:

@@ -33,8 +33,9 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
 
     A public package may well have files of the same names: then the own package must bear its name, and more (``camera_driver`` for
     ``camera``), and hold a program that is asked for, too. ``None`` where the package is here or declared, where nothing is asked of it
-    that can be told, where it is one file only and the two names have no word in common, and
-    where the file would include itself: it stands before one of the same name.
+    that can be told, where it is one file only and no name has all words of the other, where another package of its family that is not here
+    is asked for something else (both may lie in another repository), and where the file would include itself: it stands before one of the
+    same name.
     """
     home = packages.package_of(near)
     if home is None or not home.name or home.name == name or packages.has(name):
@@ -51,11 +52,29 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
         return None
     if not all(exists(posixpath.join(home.directory, file)) for file, _ in found):
         return None
-    if len(found) == 1 and not started and set(folded(name).split("_")).isdisjoint(folded(home.name).split("_")):
+    if len(found) == 1 and not started and not _has_words_of(name, home.name):
+        return None
+    if any(_is_of_family(each, name) and not _holds(home, files) for each, files in asked.files.items() if not packages.has(each)):
         return None
     programs = contents(packages).executables(home).names if started else []
     types = [_TYPE.search(tag) for tag in started]
     return home if all(each is not None and each[1] in programs for each in types) else None
+
+
+def _has_words_of(one: str, other: str) -> bool:
+    """Whether one of two names has all words of the other: the same first word may be that of whoever made both."""
+    words, others = set(folded(one).split("_")), set(folded(other).split("_"))
+    return words <= others or others <= words
+
+
+def _is_of_family(one: str, other: str) -> bool:
+    """Whether two names have their first two words in common, and one more each, which is another."""
+    words, others = folded(one).split("_"), folded(other).split("_")
+    return words != others and min(len(words), len(others)) > 2 and words[:2] == others[:2]
+
+
+def _holds(home: Package, files: Sequence[tuple[str, bool]]) -> bool:
+    return all(exists(posixpath.join(home.directory, posixpath.dirname(file) if made else file)) for file, made in files)
 
 
 def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[str, ...]:

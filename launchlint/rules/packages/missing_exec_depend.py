@@ -90,7 +90,7 @@ from launchlint.late import late
 from launchlint.plural import listed
 from launchlint.rules.judging.copies import first_of_name
 from launchlint.rules.judging.idle_test import naming, why_idle
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.kept_twice import told_of_copies
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
 from launchlint.rules.judging.metapackages import members
 from launchlint.rules.judging.missing_package import is_placeholder
@@ -118,8 +118,6 @@ if TYPE_CHECKING:
 ELSEWHERE = "it works only where something else brings {} along"
 LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
-_COPIES = 3
-"""Packages that lack the same of which nobody wants to read one by one."""
 BUILT_ONLY = "for building only"
 TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
@@ -331,21 +329,13 @@ def together(findings: Sequence[Finding]) -> Finding:
         help=f"{help}, and so on" if help.startswith("add ") else help,
         fix=fix,
         topic="",
-        about=(lacking, listed(names, MOST_NAMED)),
+        about=(lacking, listed(names, MOST_NAMED), *names),
     )
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for several packages that lack the same two or more packages: one was made after the other, or is the same, kept twice."""
-    alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
-    for finding in findings:
-        alike.setdefault((finding.severity, finding.about or (finding.message,)), []).append(finding)
-    for (_, lack), several in alike.items():
-        called = {posixpath.basename(posixpath.dirname(each.location.path)) for each in several}
-        if len(several) >= (2 if len(called) == 1 else _COPIES) and several[0].about:
-            said = f"{len(several)} packages do not declare {lack[0]} that their launch files use: {lack[1]}"
-            several = [joined(several)._replace(message=said)]
-        yield from several
+    """One for packages that lack the same, and for those that are kept twice."""
+    return told_of_copies(findings)
 
 
 def _is_beside(name: str, packages: Packages, near: str) -> bool:

@@ -2,8 +2,8 @@
 
 Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name
 ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names,
-placeholders, words such as `admin` that anybody would try, a word that the name itself has (`ready` for `ready_token`: what programs tell
-each other), and the name of the user that stands beside it, are left alone. The default of
+placeholders, words such as `admin` that anybody would try, a word that the name of a token itself has (`ready` for `ready_token`: what
+programs tell each other), and the name of the user that stands beside it, are left alone. The default of
 an `<arg>` is an info, and so is a value that a comment beside it calls a default: it may be the one that everybody knows, to be replaced.
 The value itself is never printed: what is shown of the line has asterisks in its place. One value that stands in many places is told once.
 In ROS 2, which has no `<machine>`, what a `<let>` or an include hands on counts, too.

@@ -1,0 +1,53 @@
+"""Packages that were copied: what their ``package.xml`` lack is told once."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Sequence
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.joined import joined
+
+_COPIES = 3
+"""Packages that lack the same of which nobody wants to read one by one."""
+
+
+def told_of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for several packages that lack the same two or more packages: one was made after the other, or is the same, kept twice.
+
+    ``findings`` are about one ``package.xml`` each; :attr:`Finding.about` says how many packages it lacks, which ones in words, then each
+    of them, and nothing where it is one. Of one that is kept twice, what one copy lacks besides is told of that one, with the other.
+    """
+    alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
+    for finding in _of_one_name(findings):
+        alike.setdefault((finding.severity, finding.about[:2] or (finding.message,)), []).append(finding)
+    for (_, lack), several in alike.items():
+        called = {_called(each) for each in several}
+        if len(several) >= (2 if len(called) == 1 else _COPIES) and several[0].about:
+            several = [joined(several)._replace(message=_say(len(several), lack))]
+        yield from several
+
+
+def _of_one_name(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """``findings``, one for each name of a package; of those called alike only, of which one lacks all that the others lack."""
+    named: dict[tuple[Severity, str], list[Finding]] = {}
+    for finding in findings:
+        named.setdefault((finding.severity, _called(finding)), []).append(finding)
+    for several in named.values():
+        most = max(several, key=lambda each: len(_lacking(each)))
+        if len(several) > 1 and all(_lacking(each) <= _lacking(most) for each in several):
+            told = joined(several, most)
+            several = [told._replace(message=_say(len(several), most.about)) if most.about else told]
+        yield from several
+
+
+def _say(count: int, lack: Sequence[str]) -> str:
+    return f"{count} packages do not declare {lack[0]} that their launch files use: {lack[1]}"
+
+
+def _called(finding: Finding) -> str:
+    return posixpath.basename(posixpath.dirname(finding.location.path))
+
+
+def _lacking(finding: Finding) -> frozenset[str]:
+    return frozenset(finding.about[2:] or (finding.topic,))

@@ -1,0 +1,217 @@
+"""Whose a package is: one of the people of this workspace, or one of somebody else, of which a copy is kept here.
+
+Nothing says so plainly, so that several things have to come together: what stands in the ``package.xml`` (REP 127, REP 140: maintainers,
+authors, addresses), what a directory holds that only the root of a repository has, and the list of public packages.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable
+from functools import partial
+
+from launchlint.late import late
+from launchlint.workspace.looking import is_file, names, note, watched
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
+from launchlint.workspace.public_packages import public_names
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.manifest import Manifest
+
+CHANGES = "CHANGELOG.rst"
+"""What releases are made from (REP 132)."""
+_MUCH_MORE = 4
+_SOME = 3
+_README = "readme"
+_LICENCES = frozenset(("license", "licence", "copying", "unlicense"))
+_OF_ROOTS = frozenset(
+    (
+        ".appveyor.yml",
+        ".circleci",
+        ".github",
+        ".gitlab-ci.yml",
+        ".gitmodules",
+        ".travis.yml",
+        "appveyor.yml",
+        "bitbucket-pipelines.yml",
+    )
+)
+"""What git, or who builds and tests, reads at the root of a repository only."""
+_TEMPLATE = "@todo.todo"
+"""The end of the address that ``catkin_create_pkg`` writes for who called it."""
+_REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
+"""Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
+_WIKI = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/[^\s<]")
+_DOWNLOADED = late(
+    r".+-(?:master|main|develop|(?:[a-z]+-)?devel|fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|v?\d+(?:\.\d+)+)"
+)
+"""What the archive of a repository is unpacked to: its name with that of the branch or the release."""
+
+
+def is_copy(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is a public package in a workspace of others that was released, whence its list of changes."""
+    return is_released(home) and _is_of_others(home, packages)
+
+
+def is_released(home: Package) -> bool:
+    """Whether ``home`` is called as a public package, and has a list of changes as a released one has."""
+    return home.name in public_names() and is_file(posixpath.join(home.directory, CHANGES))
+
+
+def is_from_elsewhere(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is a public package in a workspace of others that says whose it is; it may be changed here.
+
+    That is: which repository it is from, or by people who are not what ``catkin_create_pkg`` has written.
+    """
+    manifest = home.manifest
+    return manifest is not None and bool(_origins(manifest) or not _of_template(manifest.people)) and _is_of_others(home, packages)
+
+
+def kept_whole(home: Package, packages: Packages) -> str:
+    """The directory (absolute) in which somebody else's project, with ``home`` in it, is kept in this workspace; else empty.
+
+    Such a directory has what a repository has at its root only, or is called as what the archive of one is unpacked to; or it holds a
+    README, and with it a licence of its own, or packages most of which have a page in the wiki of ROS, or one that is called as the
+    directory is, by people who fill in what others here leave as ``catkin_create_pkg`` wrote it. And at most a few packages outside
+    of it, which came with it, have its people.
+    """
+    projects = packages.once(_Projects)
+    return "" if home.manifest is None else projects.around(home.directory)
+
+
+class _Projects:
+    """The projects that are kept in the workspaces, by their directories."""
+
+    def __init__(self, packages: Packages) -> None:
+        self._roots = [each.rstrip("/") for each in packages.workspaces]
+        self._manifests = {each.directory: each.manifest for each in _everything(packages) if each.manifest is not None}
+        self._found: dict[str, tuple[bool, frozenset[str]]] = {}
+        self._signs: dict[str, tuple[bool, frozenset[str]]] = {}
+
+    def around(self, home: str) -> str:
+        """The nearest one that the package in the directory ``home`` lies in; empty: in none."""
+        directory = home
+        while any(directory.startswith(f"{root}/") for root in self._roots):
+            if directory not in self._found:
+                self._found[directory] = watched(partial(self._is_project, directory))
+            found, looked = self._found[directory]
+            note(looked)
+            if found:
+                return directory
+            directory = posixpath.dirname(directory)
+        return ""
+
+    def _is_project(self, directory: str) -> bool:
+        """Whether a project of other people is kept in ``directory``."""
+        within = {each: manifest for each, manifest in self._manifests.items() if _is_in(each, directory)}
+        people = _people(within.values())
+        if not people:
+            return False
+        if self._is_root(directory):
+            return self._are_others(directory, people)
+        if directory in within or not _has_readme(names(directory)):
+            return False  # one package with a README is most people's own
+        if len(within) > 1 and 2 * sum(map(_is_in_wiki, within.values())) > len(within):
+            return self._are_others(directory, people)
+        named = any(each.name == posixpath.basename(directory) for each in within.values())
+        return named and self._left_as_made(directory) >= _SOME and not _of_template(people) and self._are_others(directory, people)
+
+    def _are_others(self, directory: str, people: frozenset[str]) -> bool:
+        """Whether most packages outside of ``directory`` have nothing to do with ``people``: of all, or of those in no other project."""
+        outside = {each: manifest for each, manifest in self._manifests.items() if not _is_in(each, directory)}
+        own = [manifest for each, manifest in outside.items() if not self._is_in_other(each, directory)]
+        return _mostly_others(outside.values(), people) or _mostly_others(own, people)
+
+    def _left_as_made(self, directory: str) -> int:
+        """How many packages outside of ``directory`` have nobody's name but what the template has."""
+        outside = (manifest.people for each, manifest in self._manifests.items() if not _is_in(each, directory))
+        return sum(bool(people) and _of_template(people) == people for people in outside)
+
+    def _is_in_other(self, package: str, directory: str) -> bool:
+        """Whether a directory around the package, and not around ``directory``, looks like the root of a repository."""
+        while any(package.startswith(f"{root}/") for root in self._roots) and not _is_in(directory, package):
+            if self._is_root(package):
+                return True
+            package = posixpath.dirname(package)
+        return False
+
+    def _is_root(self, directory: str) -> bool:
+        """Whether it looks like the root of a repository, or what its archive was unpacked to; never a mere package with a licence."""
+        if directory not in self._signs:
+            self._signs[directory] = watched(partial(self._shows_root, directory))
+        shown, looked = self._signs[directory]
+        note(looked)
+        return shown
+
+    def _shows_root(self, directory: str) -> bool:
+        listed = names(directory)
+        if _DOWNLOADED.fullmatch(posixpath.basename(directory)) is not None:
+            return _has_readme(listed) or sum(_is_in(each, directory) for each in self._manifests) > 1
+        if not _OF_ROOTS.isdisjoint(listed):
+            return True
+        licensed = not _LICENCES.isdisjoint(each.partition(".")[0].lower() for each in listed)
+        manifest = self._manifests.get(directory)
+        return licensed and _has_readme(listed) and (manifest is None or manifest.name in public_names())
+
+
+def _is_of_others(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is named as a public package, and most packages are of others.
+
+    That is: they are not public, and at most a few, which came with it, have its people or are from its owner; or several are not public,
+    and none of these is theirs.
+    """
+    if home.manifest is None or home.name not in public_names():
+        return False
+    people, origins = home.manifest.people, _origins(home.manifest)
+    if not people:
+        return False
+    own = public = theirs = 0
+    for each in _everything(packages):
+        if each.manifest is None or each.name == home.name:
+            continue
+        if each.name in public_names():
+            public += 1
+        elif people.isdisjoint(each.manifest.people) and origins.isdisjoint(_origins(each.manifest)):
+            own += 1
+        else:
+            theirs += 1
+    return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
+
+
+def _everything(packages: Packages) -> list[Package]:
+    return [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+
+
+def _mostly_others(manifests: Iterable[Manifest], people: frozenset[str]) -> bool:
+    """Whether several of the packages, and most of them, are not of ``people``."""
+    everybody = [each.people for each in manifests]
+    theirs = sum(not people.isdisjoint(each) for each in everybody)
+    return len(everybody) - theirs >= max(_SOME, _MUCH_MORE * theirs)
+
+
+def _people(manifests: Iterable[Manifest]) -> frozenset[str]:
+    return frozenset().union(*(each.people for each in manifests))
+
+
+def _of_template(people: frozenset[str]) -> frozenset[str]:
+    return frozenset(each for each in people if each.endswith(_TEMPLATE))
+
+
+def _is_in(package: str, directory: str) -> bool:
+    return f"{package}/".startswith(f"{directory}/")
+
+
+def _has_readme(listed: Iterable[str]) -> bool:
+    return any(each.partition(".")[0].lower() == _README for each in listed)
+
+
+def _is_in_wiki(manifest: Manifest) -> bool:
+    """Whether a page in the wiki of ROS is named; a template proposes one in a comment."""
+    return any(_WIKI.match(address) is not None for _, address in manifest.urls)
+
+
+def _origins(manifest: Manifest) -> frozenset[str]:
+    found = (_REPOSITORY.match(address) for type_, address in manifest.urls if type_ in ("bugtracker", "repository"))
+    return frozenset(match[1].lower() for match in found if match is not None)
