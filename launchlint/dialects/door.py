@@ -52,7 +52,10 @@ def _told(session: Session, file: str) -> DialectName:
     document = session.document(file)
     if isinstance(document, Read):
         return expected or ROS1
-    return told(document, expected, only_where_equal=_is_built_for_both(file, session.packages))
+    from launchlint.workspace.other_ros import built_for_ros2
+
+    of_ros2_only = expected == ROS2 and built_for_ros2(file, session.packages) is not None
+    return told(document, expected, only_where_equal=_is_built_for_both(file, session.packages), of_ros2_only=of_ros2_only)
 
 
 def _expected(session: Session, file: str) -> DialectName | None:

@@ -66,8 +66,16 @@ def plan(sources: Sequence[str], wanted: Sequence[str] = (), context: Mapping[st
 
 def reader_of(package: Package, origin: Origin, workspace: Workspace) -> PackageReader:
     """What reads a package: by what builds it."""
-    is_ament = package.manifest is not None and package.manifest.is_ament
-    return (AmentPackage if is_ament else CatkinPackage)(package, origin, workspace)
+    return (AmentPackage if _is_ament(package) else CatkinPackage)(package, origin, workspace)
+
+
+def _is_ament(package: Package) -> bool:
+    """Whether its manifest says so; where it forgets the build type, whether it names tools of ament, and not catkin."""
+    manifest = package.manifest
+    if manifest is None or manifest.is_ament or manifest.build_types:
+        return manifest is not None and manifest.is_ament
+    tools = manifest.depends("buildtool")
+    return "catkin" not in manifest.depends() and any(each.startswith("ament_") for each in tools)
 
 
 def _packages(sources: Sequence[str], context: Mapping[str, str] | None) -> list[tuple[Package, str]]:
@@ -83,7 +91,7 @@ def _packages(sources: Sequence[str], context: Mapping[str, str] | None) -> list
             listed = [] if around is None else [around]
         if not listed:
             raise UsageError(f"there is no package in {source!r}: no package.xml was found in it or below it")
-        for package in listed:
+        for package in _sources_first(listed, packages.colcon.places[0].everything):
             seen_so = package if context is None else package.under(context)
             found.setdefault(os.path.realpath(package.directory), (seen_so, source))
     seen: set[str] = set()
@@ -93,3 +101,16 @@ def _packages(sources: Sequence[str], context: Mapping[str, str] | None) -> list
             first.append((package, given))
         seen.add(package.name)
     return first
+
+
+def _sources_first(listed: Sequence[Package], of_colcon: Sequence[Package]) -> list[Package]:
+    """``listed`` packages, with what colcon passes over (``COLCON_IGNORE``) behind those of ROS 2 that it finds.
+
+    It marks so what it writes: a build space, whose links break where it is copied, and an install space, in which each package stands
+    once more, without its sources. In a workspace of ROS 2 what is broken and passed over is left out.
+    """
+    found = {each.directory for each in of_colcon}
+    if not any(each.manifest is not None and each.manifest.is_ament for each in of_colcon):
+        return list(listed)
+    passed_over = [each for each in listed if each.directory not in found]
+    return [*(each for each in listed if each.directory in found), *(each for each in passed_over if not each.broken)]

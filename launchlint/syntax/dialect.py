@@ -43,6 +43,9 @@ class Word(NamedTuple):
     substitution: str = ""
 
 
+_OF_ROS1 = ".launch"
+_ALONE = frozenset(("param", "remap"))
+"""Elements that stand in those of a node in ROS 2, and in any other of roslaunch as well."""
 _TEST = Word("test")
 """rostest has no counterpart of this kind in ROS 2: nobody writes it by a slip."""
 
@@ -66,13 +69,15 @@ class Only(NamedTuple):
         )
 
 
-def told(document: Document, expected: DialectName | None, *, only_where_equal: bool = False) -> DialectName:
+def told(document: Document, expected: DialectName | None, *, only_where_equal: bool = False, of_ros2_only: bool = False) -> DialectName:
     """The dialect of a launch file.
 
     Args:
         document: as far as it could be read.
         expected: the dialect that its package is built for, else that of the environment; None where neither says one.
         only_where_equal: what is expected decides only where the words do not.
+        of_ros2_only: nobody but ros2 launch could start it, by its package: a file that is called as those of ROS 1 are (``*.launch``), and
+            has words of ROS 1 but not one of ROS 2, was left behind when the package was ported. No slip: ros2 launch refuses it.
     """
     weight = 0 if only_where_equal else WEIGHT
     ros1 = weight if expected == ROS1 else 0
@@ -82,10 +87,18 @@ def told(document: Document, expected: DialectName | None, *, only_where_equal: 
     if expected != ROS2 and all(map(_is_known_to_ros1, listed)):
         return ROS1
     only1, only2 = _only()
+    before = ros1, ros2
     for word in listed:
         ros1 += WEIGHT + 1 if word == _TEST else only1.has(word)
         ros2 += only2.has(word)
+    if of_ros2_only and ros2 == before[1] and document.source.path.endswith(_OF_ROS1) and (ros1 > before[0] or _has_alone(document)):
+        return ROS1
     return expected or ROS1 if ros1 == ros2 and only_where_equal else ROS1 if ros1 >= ros2 else ROS2
+
+
+def _has_alone(document: Document) -> bool:
+    """Whether something stands in ``<launch>`` that ROS 2 has in nodes only."""
+    return any(each.tag in _ALONE and each.parent is document.root for each in document.elements)
 
 
 def _is_known_to_ros1(word: Word) -> bool:

@@ -138,3 +138,36 @@ def test_packages_beside_it_that_cmake_finds_and_package_xml_does_not_name(tmp_p
     assert [each["name"] for each in variant["publishers"]] == ["/{param:~robot|r1}/pose"]  # a base class that may be a node
     assert {each["name"] for each in variant["params"]} == {"~robot", "~speed"}
     assert "planner::ActionClient" in variant["open"]["publishers"]
+
+
+def test_sources_are_read_and_not_what_colcon_installed_of_them(tmp_path: Path) -> None:
+    files = {
+        "build/COLCON_IGNORE": "",
+        "install/COLCON_IGNORE": "",
+        "install/demo/share/demo/package.xml": MANIFEST.format(name="demo"),
+        "src/demo/package.xml": MANIFEST.format(name="demo"),
+        "src/demo/CMakeLists.txt": "project(demo)\nadd_executable(plain plain.cpp)\n"
+        "install(TARGETS plain DESTINATION lib/${PROJECT_NAME})\nament_package()\n",
+        "src/demo/plain.cpp": MAIN,
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    (tmp_path / "build/demo").mkdir()
+    (tmp_path / "build/demo/package.xml").symlink_to(tmp_path / "elsewhere/package.xml")
+    result = extract([str(tmp_path)])
+    assert list(result.document["packages"]["demo"]["executables"]) == ["plain"]
+    assert result.skipped == ()
+
+
+def test_a_manifest_that_forgets_the_build_type(tmp_path: Path) -> None:
+    manifest = MANIFEST.format(name="demo").replace("<build_type>ament_cmake</build_type>", "")
+    assert "ament_cmake" not in manifest or "build_type" not in manifest
+    (tmp_path / "package.xml").write_text(manifest.replace("<export>", "<buildtool_depend>ament_cmake</buildtool_depend><export>"))
+    (tmp_path / "CMakeLists.txt").write_text(
+        "project(demo)\nadd_executable(plain plain.cpp)\ninstall(TARGETS plain DESTINATION lib/${PROJECT_NAME})\nament_package()\n"
+    )
+    (tmp_path / "plain.cpp").write_text(MAIN)
+    package = extract([str(tmp_path)]).document["packages"]["demo"]
+    assert package["middleware"] == "ros2"
+    assert package["executables"]["plain"]["class"] == "rclcpp"

@@ -58,6 +58,22 @@ def test_dialect(text: str, package: DialectName | None, expected: str | None) -
 
 
 @pytest.mark.parametrize(
+    ("text", "name", "expected"),
+    [
+        (f"<launch>{NODE_1}</launch>", "a.launch", "ros1"),
+        ('<launch><include file="$(find p)/b.launch"/></launch>', "a.launch", "ros1"),
+        ('<launch><param name="a" value="b"/></launch>', "a.launch", "ros1"),
+        ('<launch><arg name="a"/></launch>', "a.launch", "ros2"),
+        # A slip, not a file of ROS 1: it is called as those of ROS 2 are, or has words of ROS 2.
+        (f"<launch>{NODE_1}</launch>", "a.launch.xml", "ros2"),
+        (f'<launch>{NODE_1}<node pkg="a" exec="b"/></launch>', "a.launch", "ros2"),
+    ],
+)
+def test_one_word_of_ros1_in_a_package_that_is_for_ros2_only(text: str, name: str, expected: str) -> None:
+    assert told(parse(text.encode(), name), "ros2", of_ros2_only=True) == expected
+
+
+@pytest.mark.parametrize(
     ("text", "asked", "expected"),
     [
         ('<launch><node pkg="a" type="b" name="c"/></launch>', "ros2", "ros1"),

@@ -5,7 +5,9 @@ definition under two names (a copy of a message in a package of one's own), and 
 alike field by field. Of two such types it is an info where one end is a program of the workspace and the other one is public, and the
 former is in a package that rosbuild builds, or the package of the latter lies in the workspace, too: which type that version of it has
 nobody knows here. The same two programs with the same two types are told of once, also where several launch files start them, and so are
-all programs that take one of two such names for the other. In ROS 2 types of different names never meet, whatever is in them.
+all programs that take one of two such names for the other. In ROS 2 types of different names never meet, whatever is in them; it is an
+info where they differ as those of two releases of a public program do, whose messages moved to a package of their own (`turtlesim/msg/Pose`
+and `turtlesim_msgs/msg/Pose`).
 
 ## Why it matters
 
@@ -128,6 +130,8 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
         notes = [f"unless the two are defined alike, field by field: {effect}"]
     notes.extend(text for text in (how(acting, mine), how(other, theirs)) if text)
     old = (_other_version(offer, use, view) or _other_version(use, offer, view)) if copies else ""
+    if not old and view.dialect.name == ROS2:
+        old = _other_release(offer, use, view) or _other_release(use, offer, view)
     if old:
         notes.append(old)
     found = RULE.at(
@@ -145,6 +149,20 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
         + f" {offer.type} {use.type}",
     )
     return with_sources(found, acting, other)
+
+
+def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:
+    """Why the type of ``other``, a public program, may be that of ``own``, which is read here, in the release that this is written for:
+    their messages moved to a package of their own (turtlesim, turtlesim_msgs). Empty where nothing says so.
+    """
+    if not is_read_here(own) or is_read_here(other):
+        return ""
+    (mine, _, message), (theirs, _, same) = own.type.partition("/"), other.type.partition("/")
+    short, long = sorted((mine, theirs), key=len)
+    if message != same or long not in (f"{short}_msgs", f"{short}_interfaces"):
+        return ""
+    program = view.once(owners)[id(other)].program
+    return f"messages of {short} and {long} are of different releases, and what is known of {program} is what one of them does"
 
 
 def _other_version(own: Endpoint, other: Endpoint, view: GraphView) -> str:

@@ -201,6 +201,29 @@ INTERFACES = {
         params ~i string_array declared
         """,
     ),
+    "a default for a param that is declared does not count": (
+        (
+            'declare_parameter("scan", "front"); std::string scan; get_parameter_or<std::string>("scan", scan, "back");'
+            " create_publisher<std_msgs::msg::String>(scan, 1);"
+        ),
+        """
+        params ~scan string default='front' declared
+        params ~scan string
+        publishers {param:~scan|front} std_msgs/msg/String reliable/volatile/keep_last/1
+        """,
+    ),
+    "lists whose type is said, and not by their items": (
+        (
+            'declare_parameter("a", std::vector<double>{0, 1}); std::vector<double> list = {0, 2}; declare_parameter("b", list);'
+            ' declare_parameter<std::vector<double>>("c", {0, 3}); declare_parameter("d", std::vector<int64_t>{0});'
+        ),
+        """
+        params ~a double_array default=[0.0, 1.0] declared
+        params ~b double_array default=[0.0, 2.0] declared
+        params ~c double_array default=[0.0, 3.0] declared
+        params ~d integer_array default=[0] declared
+        """,
+    ),
     "policies as numbers, and by their names": (
         (
             'int number = RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT; number = declare_parameter("number", number);'

@@ -101,11 +101,9 @@ def declared(asked: Call, node: Value, name: Value, default: Value, descriptor: 
     elif explicit.name:
         kind = value_type(asked, explicit) or value_type(asked, UNTYPED, default)
     else:
-        kind = (
-            value_type(asked, UNTYPED, default)
-            or _spelled(asked)
-            or (value_type(asked, cell.type) if given and cell is not None and cell.type.name else "")
-        )
+        kind = value_type(asked, UNTYPED, default)
+        if not kind or kind.endswith("_array"):  # 0 may be an item of a list of doubles
+            kind = _spelled(asked) or (value_type(asked, cell.type) if given and cell is not None and cell.type.name else "") or kind
     said = _described(descriptor)
     if said is not None and said.dynamic:
         kind = ""
@@ -237,16 +235,21 @@ def get(handle: Handle, asked: Call) -> Value:
     return UNKNOWN
 
 
-def _known_default(asked: Call, handle: Handle, name: Value) -> Value:
-    """The default that a param was declared with before."""
+def _declared_before(asked: Call, handle: Handle, name: Value) -> list[Any]:
+    """The defaults of the declarations of a param before; empty where there is none."""
     if not isinstance(name, Text):
-        return UNKNOWN
+        return []
     text = finished(f"~{name.template}")
-    found = [
+    return [
         each.default
         for each in asked.machine.facts.values()
         if each.category == "params" and each.declared and each.name == text and each.node == (handle.node or "")
     ]
+
+
+def _known_default(asked: Call, handle: Handle, name: Value) -> Value:
+    """The default that a param was declared with before."""
+    found = _declared_before(asked, handle, name)
     if not found or found[0] is None or any(each != found[0] for each in found) or isinstance(found[0], list):
         return UNKNOWN
     return (
@@ -263,7 +266,11 @@ def get_or(handle: Handle, asked: Call) -> Value:
     value = asked.value(2) if len(asked.arguments) > 2 else asked.value(1)
     cell = asked.cell(1) if len(asked.arguments) > 2 else None
     kind = value_type(asked, cell.type) if cell is not None and cell.type.name else value_type(asked, UNTYPED, value)
-    _note(asked, handle, asked.value(0), value_type=kind, declared=False, default=default_of(value, kind))
+    if _declared_before(asked, handle, asked.value(0)):  # it has a value: the one that is given here is for a param that is not there
+        value = _known_default(asked, handle, asked.value(0))
+        _note(asked, handle, asked.value(0), value_type=kind, declared=False)
+    else:
+        _note(asked, handle, asked.value(0), value_type=kind, declared=False, default=default_of(value, kind))
     read = value_of(asked.value(0), value)
     if cell is None:
         return read
