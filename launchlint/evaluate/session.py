@@ -275,6 +275,10 @@ class Session:
         self.variables |= asked
         return reading
 
+    def hangs_on_arguments(self, file: str) -> bool:
+        """Whether a launch file in Python has looked at the command line: it describes something else when other args are given."""
+        return os.path.abspath(file) in self._asking
+
     def _understood(self, file: str, variables: set[str]) -> Reading | None:
         """What a launch file in Python describes; the names of the ``variables`` that it asks for are added to these."""
         from launchlint.syntax.ros2.python.reading import read

@@ -271,6 +271,11 @@ class Calls(Members):
             self._spent[id(node)] = 0
         return result
 
+    def begin(self) -> None:
+        """Begin anew with the bounds: what is called from now on has nothing to do with the work of before."""
+        self.steps = 0
+        self._spent.clear()
+
     def _generator_of(self, function: Function, positional: list[Value], keywords: dict[str, Value]) -> Value:
         """What a generator function gives: it runs when something is taken of that."""
 

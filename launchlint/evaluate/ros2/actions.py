@@ -48,7 +48,7 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
 }
 
 
-_KEPT = frozenset((described.Include, described.Group, described.Node, described.LoadComponents))
+_KEPT = frozenset((described.Include, described.Group, described.Node, described.LoadComponents, described.Opaque))
 """Actions that take long enough for it to pay to look whether it is known what comes of them."""
 
 
@@ -65,6 +65,7 @@ def _is_started(walk: Walk, action: Action) -> bool:
     if walk.here.idle:
         return False
     walk.running.add(action.place.key)
+    walk.begun.append(action.place.key)
     key = (id(action), walk.here.sources)
     if key not in walk.started:
         walk.started[key] = action

@@ -87,6 +87,8 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.performer.way = way
     _run(walk, known, file)
     walk.here, walk.performer.way = outer, outer.way
+    if walk.session.hangs_on_arguments(file):
+        context.uses.open = True
 
 
 def _unread(walk: Walk) -> None:

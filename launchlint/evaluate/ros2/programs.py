@@ -91,6 +91,11 @@ class Live:
         """Set an environment variable, or unset it."""
         self._walk.context.environment.set(name, value)
 
+    def remember(self) -> None:
+        """What comes of later functions in this launch hangs on this one, which therefore has to be called in each launch."""
+        self._walk.remembers = True
+        self._walk.context.uses.open = True
+
 
 def opaque(walk: Walk, action: described.Opaque) -> None:
     """A function: what it gives is executed at once (launch.actions.OpaqueFunction)."""
@@ -99,7 +104,6 @@ def opaque(walk: Walk, action: described.Opaque) -> None:
 
 def _called(walk: Walk, call: Call, place: Place) -> tuple[described.Action, ...]:
     walk.spend(1, place)
-    walk.context.uses.open = True
     try:
         found = call(Live(walk, place))
     except Stopped as stopped:

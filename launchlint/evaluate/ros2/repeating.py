@@ -43,6 +43,7 @@ class Situation(NamedTuple):
     """What an action depends on, but for launch configurations, ``$(dirname)`` and what has been told.
 
     ``remaps`` and ``parameters`` are None where there is no list, ``leaked`` says of each of them whether its group is closed already.
+    ``remembers``: functions of programs may read what an earlier one has left.
     """
 
     here: Here
@@ -53,6 +54,7 @@ class Situation(NamedTuple):
     remaps: tuple[Remap, ...] | None
     parameters: tuple[GlobalSource, ...] | None
     leaked: tuple[bool, ...]
+    remembers: bool
 
     @classmethod
     def of(cls, walk: Walk) -> Situation:
@@ -68,7 +70,12 @@ class Situation(NamedTuple):
             None if remaps is None else tuple(remaps),
             None if parameters is None else tuple(parameters),
             tuple(id(each) in context.leaked for each in (*(remaps or ()), *(parameters or ()))) if context.leaked else (),
+            walk.remembers,
         )
+
+    def is_like(self, other: Situation) -> bool:
+        """Whether the same comes of an action in both; what is not known is equal where the same is not known for the same reason."""
+        return self == other or all(map(_is_like, self, other))
 
 
 class Outcome(NamedTuple):
@@ -97,7 +104,7 @@ class Outcome(NamedTuple):
 
     def fits(self, action: Performed, situation: Situation, walk: Walk) -> bool:
         """Whether ``action`` would come to the same now."""
-        if self.action is not action or self.situation != situation:
+        if self.action is not action or not self.situation.is_like(situation):
             return False
         configurations = walk.context.configurations
         for name, setting in self.uses.read.items():
@@ -127,10 +134,22 @@ def _is_same(one: Setting | None, other: Setting | None) -> bool:
         return True
     if one is None or other is None or one[1:] != other[1:]:
         return False
-    left, right = one.value, other.value
-    if not isinstance(left, Unknown) or type(left) is not type(right):
+    return _is_like(one.value, other.value)
+
+
+def _is_like(one: object, other: object) -> bool:
+    """Whether two values, or sequences or mappings of such, are equal, those that are not known by what is said of them."""
+    if one is other or one == other:
+        return True
+    if type(one) is not type(other):
         return False
-    return (left.text, left.reason, left.pattern) == (right.text, right.reason, right.pattern)
+    if isinstance(one, Unknown) and isinstance(other, Unknown):
+        return (one.text, one.reason, one.pattern) == (other.text, other.reason, other.pattern)
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_is_like, one, other))
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(_is_like(value, other[key]) for key, value in one.items())
+    return False
 
 
 class Repeats:
@@ -179,8 +198,8 @@ def _executed(walk: Walk, action: Performed, perform: Callable[[Walk, Any], None
     context.uses = around
     around.join(uses, uses.added)
     after = Situation.of(walk)
-    leaked = lists != (context.remaps, context.parameters) or (after.remaps, after.parameters) != (situation.remaps, situation.parameters)
-    if leaked or uses.open or len(walk.waiting) > waiting or anonymous != walk.performer.anonymous:
+    added = all(map(_only_adds, lists, (context.remaps, context.parameters), (situation.remaps, situation.parameters)))
+    if not added or uses.open or len(walk.waiting) > waiting or anonymous != walk.performer.anonymous:
         return None
     configurations = context.configurations
     inside = {way for way, _ in walk.executions[executed:]}
@@ -203,8 +222,15 @@ def _executed(walk: Walk, action: Performed, perform: Callable[[Walk, Any], None
     )
 
 
+def _only_adds(before: list[Any] | None, after: list[Any] | None, was: tuple[Any, ...] | None) -> bool:
+    """Whether a list of the context, that held what ``was`` in it, has got nothing but more items at its end, or is new."""
+    if was is None or before is None:
+        return True
+    return after is before and len(after) >= len(was) and all(one is other for one, other in zip(was, after, strict=False))
+
+
 def _take_over(walk: Walk, outcome: Outcome) -> None:
-    context, after, executed = walk.context, outcome.after, len(walk.executions)
+    context, after, executed, begun = walk.context, outcome.after, len(walk.executions), len(walk.begun)
     said = outcome.said_among(context.configurations.keys())
     context.uses.join(outcome.uses, outcome.uses.written - context.configurations.keys())
     context.configurations.update(outcome.settings)
@@ -212,9 +238,24 @@ def _take_over(walk: Walk, outcome: Outcome) -> None:
         context.enter(*outcome.placed)
     context.unread, context.unread_environment, context.unread_parameters = after.unread, after.unread_environment, after.unread_parameters
     context.environment.restore(after.environment)
+    context.remaps = _with_added(context.remaps, after.remaps)
+    context.parameters = _with_added(context.parameters, after.parameters)
+    items = (*(after.remaps or ()), *(after.parameters or ()))
+    context.leaked.update((id(each), each) for each, has_leaked in zip(items, after.leaked, strict=False) if has_leaked)
     walk.looked_at += outcome.work
     for log, logged in zip(walk.logs, outcome.logged, strict=True):
         log.extend(logged)
     walk.executed.update(walk.executions[executed:])
+    walk.running.update(walk.begun[begun:])
     for key, problem in said:
         walk.keep(problem, key)
+
+
+def _with_added(items: list[Any] | None, after: tuple[Any, ...] | None) -> list[Any] | None:
+    """A list of the context with what was added to it: the same list, where there is one."""
+    if after is None:
+        return None
+    if items is None:
+        return list(after)
+    items.extend(after[len(items) :])
+    return items

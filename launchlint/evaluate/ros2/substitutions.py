@@ -339,7 +339,6 @@ def _not_known(performer: Performer, substitution: Substitution) -> Value:
 
 def _called(performer: Performer, substitution: Substitution) -> Value:
     """What a substitution of a program's own gives."""
-    performer.context.uses.open = True
     if performer.live is None or substitution.call is None:
         return Unknown(substitution.place.text, "it is asked before the launch runs")
     try:

@@ -219,6 +219,8 @@ class Walk:
         self.said: Said = []
         self.started: dict[tuple[int, tuple[int, ...]], Action] = {}
         self.running: set[tuple[str, int]] = set()
+        self.begun: list[tuple[str, int]] = []
+        self.remembers = False
         self._recorded: set[tuple[object, ...]] = set()
 
     # -- files -------------------------------------------------------------------------------------------------
@@ -258,8 +260,8 @@ class Walk:
         """All that is collected in the order in which it comes, but problems: see ``said``."""
         return (
             self.nodes, self.programs, self.includes, self.declared, self.branches, self.files, self.readings, self.executions, self.unread,
-            self.transitions, self.set_remaps, self.unsettled, self.receivers, self.entered, self.performer.compared,
-            self.performer.containers, self.performer.foreign,
+            self.transitions, self.set_remaps, self.unsettled, self.unresolved, self.receivers, self.entered, self.begun,
+            self.performer.compared, self.performer.containers, self.performer.foreign,
         )  # fmt: skip
 
     def record(self, problem: Problem, key: tuple[object, ...] | None = None) -> None:

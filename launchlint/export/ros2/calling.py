@@ -167,6 +167,10 @@ class _Watcher:
         """As the context."""
         return self._context.environment()
 
+    def remember(self) -> None:
+        """As the context."""
+        self._context.remember()
+
     def set_variable(self, name: str, value: str | Unknown | None) -> None:
         """As the context, and noted."""
         self._context.set_variable(name, value)

@@ -165,7 +165,7 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
             posixpath.abspath(place.source.file), name, view.once(_declared).get(id(place.source), frozenset()), view.packages
         )
     )
-    if not idle and _is_used_by_program(place.source.text, name):
+    if not idle and (_is_used_by_program(place.source.text, name) or _is_read_by_module(place.source, name, view)):
         idle = "the program reads it where it does not get to here"
     if beside:
         idle = f"{beside} beside this file takes it, too, and reads it: it may be here for those who include one or the other"
@@ -192,6 +192,14 @@ def _is_used_by_program(text: str, name: str) -> bool:
     """Whether a launch file in Python keeps the arg in a variable that it uses, perhaps in a loop or branch that is not run."""
     found = re.search(rf"""\b(\w+)\s*=\s*LaunchConfiguration\(\s*["']{re.escape(name)}["']""", text)
     return found is not None and len(re.findall(rf"(?<![\w.'\"])(?:self\.)?{found[1]}(?![\w'\"])(?!\s*=[^=])", text)) > 0
+
+
+def _is_read_by_module(source: Source, name: str, view: LaunchView) -> bool:
+    """Whether a module that several launch files may use reads the arg that it declares, in a function that is not called here."""
+    if not source.path.endswith(".py") or any(each.source.path == source.path for each in view.launch.followed):
+        return False
+    read = rf"""^[^#\n]*\bLaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']{re.escape(name)}["']"""
+    return re.search(read, source.text, re.MULTILINE) is not None
 
 
 def _cause_of_all(problem: ArgUnused, view: LaunchView, idle: str) -> str:

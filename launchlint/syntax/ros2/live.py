@@ -54,6 +54,9 @@ class LiveContext(Protocol):
     def set_variable(self, name: str, value: str | Unknown | None) -> None:
         """Set an environment variable, or unset it."""
 
+    def remember(self) -> None:
+        """The function has changed what later ones in the same launch may read, other than the context."""
+
 
 class Stopped(Exception):
     """launch stops at what a function has asked for, unless the function catches that."""

@@ -239,3 +239,11 @@ def test_a_generator_gives_the_args_of_an_include(tmp_path: Path) -> None:
     include = "IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'other.launch.xml'), launch_arguments=made())"
     other = '<launch><arg name="name" default="own"/><node pkg="pk" exec="e" name="$(var name)"/></launch>'
     assert names(launched(tmp_path, described(include, before), {"other.launch.xml": other})) == ["passed"]
+
+
+def test_a_function_is_followed_however_often_launches_have_called_it(tmp_path: Path) -> None:
+    before = "def one(context):\n    return [node('n' + str(sum(range(2000)) + sum(n for n in range(2000))))]\n"
+    workspace = Workspace(tmp_path, "", {"main.launch.py": HEAD + described("OpaqueFunction(function=one)", before)})
+    session = workspace.session()
+    for _ in range(6):
+        assert evaluate(session, str(workspace.launch_files / "main.launch.py")).launch.complete

@@ -94,7 +94,7 @@ def _actions(run: Following, source: Source, outside: Outside, parsed: Parsed) -
         run.record(missing)
         return (described.Open(f"it has no function {ENTRY}", everything),)
     run.look_at(parsed.tree)
-    caller = Caller(run, run.known.running, main.scope)
+    caller = Caller(run, run.known.running, main.scope, run.known.environment)
     maker = caller.maker = Maker(run.known.texts, caller.calls)
     run.known.texts.gives = caller.gives
     main.scope.variables.update({"__name__": "launch_file", "__file__": source.file})

@@ -8,6 +8,7 @@ from launchlint.model import StandIn
 from launchlint.model import Unknown as NotKnown
 from launchlint.python.failures import Raised
 from launchlint.python.memory import Ended, Exhausted, Log, taken_back
+from launchlint.python.reaching import reaches
 from launchlint.python.values import MISSING, Handle, Instance, Map, Scope, Seq, Unknown, Value
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
@@ -163,8 +164,9 @@ class Caller:
     What they change in the objects of the file stays changed for one launch, and is taken back when another one begins.
     """
 
-    def __init__(self, run: Noticing, running: Running, scope: Scope) -> None:
+    def __init__(self, run: Noticing, running: Running, scope: Scope, environment: Map) -> None:
         self._run = run
+        self._environment = environment
         self._running = running
         self._scope = scope
         self._log: Log = {}
@@ -184,7 +186,7 @@ class Caller:
         self._begin(live)
         self._running.live = live
         self._running.lacking = ""
-        run.steps = 0
+        run.begin()
         context = self._running.context()
         positional = [context if isinstance(each, Handle) and each.kind == "context" else each for each in given]
         assert self.maker is not None
@@ -214,6 +216,7 @@ class Caller:
             return (described.Open("the function is too much to be followed", place),)
         finally:
             self._running.live = outer
+            self._remember(live, [function, given, keywords])
             live.spend(run.steps)
 
     def gives(self, value: Instance, place: Place) -> described.Gives:
@@ -243,7 +246,14 @@ class Caller:
             return NotKnown(place.text, f"it ends with an error{f': {ended}' if str(ended) else ''}")
         finally:
             self._running.live = outer
+            self._remember(live, [value])
             live.spend(max(run.steps - steps, 0))
+
+    def _remember(self, live: LiveContext, roots: list[Value]) -> None:
+        """Tell ``live`` where something that was written in this launch can still be read: from what was called, or from a module."""
+        written = {id(mapping) for mapping, _, _ in self._log.values()}
+        if reaches([*roots, self._scope, self._environment, *self._run.modules.values()], written):
+            live.remember()
 
     def _begin(self, live: LiveContext) -> None:
         if self._launch is live.launch:
