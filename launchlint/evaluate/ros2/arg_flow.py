@@ -7,6 +7,7 @@ from collections.abc import Iterator, Set
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.block import Side
 from launchlint.evaluate.configurations import Way
+from launchlint.evaluate.ros2.comparing import CAPITALS
 from launchlint.evaluate.ros2.launch import evaluate
 from launchlint.evaluate.ros2.repeating import Repeats
 from launchlint.evaluate.session import Session
@@ -15,7 +16,7 @@ from launchlint.model import Branch
 Pairs = tuple[tuple[str, str], ...]
 
 _BOOLEANS = {"true": ("true", "false"), "false": ("true", "false"), "1": ("1", "0"), "0": ("1", "0")}
-_CAPITALS = {"True": ("True", "False"), "False": ("True", "False")}
+_CAPITALS = dict.fromkeys(CAPITALS, CAPITALS)
 
 
 class ArgFlow:
@@ -58,8 +59,8 @@ class ArgFlow:
         """True and false as the arg would be given them; None where it is no boolean, by its value or by what is asked of it."""
         value = self._given.get(name, self._defaults.get(name))
         if value is None:
-            asked = any(each.lower() in ("true", "false") for each in self._compared.get(name, ()))
-            return ("true", "false") if asked else None
+            asked = [each for each in self._compared.get(name, ()) if each.lower() in ("true", "false")]
+            return CAPITALS if set(asked) & set(CAPITALS) else ("true", "false") if asked else None
         return _CAPITALS.get(value) or _BOOLEANS.get(value.strip().lower())
 
     def breaks_text(self, changes: Pairs) -> bool:

@@ -12,6 +12,7 @@ from launchlint.evaluate.ros2.performing import Performer
 from launchlint.syntax.ros2.description import Substitution, Text
 
 TRUTH = ("true", "false")
+CAPITALS = ("True", "False")
 _MOST_KEPT = 512
 _MARK = "configuration_"
 
@@ -29,6 +30,13 @@ def _only_variable(text: Text) -> str | None:
     return text.pieces[0].arguments[0].literal
 
 
+def _words_of_default(text: Text) -> tuple[str, str] | None:
+    """How Python writes truth values, where what stands for a configuration that is not set is written so."""
+    if _only_variable(text) is None or not isinstance(piece := text.pieces[0], Substitution) or len(piece.arguments) < 2:
+        return None
+    return CAPITALS if piece.arguments[1].literal in CAPITALS else None
+
+
 def _note(performer: Performer, name: str | None, values: Iterable[str]) -> None:
     if name is not None:
         performer.compared.append((name, tuple(values)))
@@ -43,7 +51,7 @@ def note_choices(performer: Performer, name: str, choices: tuple[str, ...] | Non
 
 def note_truth(performer: Performer, text: Text) -> None:
     """A text that is asked whether it is true: a configuration, or ``not``, ``and``, ``or`` and ``if`` of some."""
-    _note(performer, same_as(performer, text), TRUTH)
+    _note(performer, same_as(performer, text), _words_of_default(text) or TRUTH)
     for piece in text.pieces:
         if isinstance(piece, Substitution) and piece.name in ("not", "and", "or", "if"):
             for argument in piece.arguments[:1] if piece.name == "if" else piece.arguments:

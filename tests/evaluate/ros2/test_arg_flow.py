@@ -75,3 +75,9 @@ def test_one_inside_another(tmp_path: Path) -> None:
     inner = '<group if="$(var b)">' + NODE.format("n") + "</group>"
     body = '<arg name="a" default="false"/><arg name="b" default="false"/><group if="$(var a)">' + inner + "</group>"
     assert given(tmp_path, body) == [(("a", "true"),), (("a", "true"), ("b", "true"))]
+
+
+def test_truth_is_given_as_the_default_writes_it(tmp_path: Path) -> None:
+    body = '<group if="$(var a {})">' + NODE.format("n") + "</group>"
+    assert given(tmp_path / "1", body.format("False")) == [(("a", "True"),)]
+    assert given(tmp_path / "2", body.format("false")) == [(("a", "true"),)]
