@@ -1,4 +1,5 @@
-"""Which distributions of ROS 2 a repository says it is for: in its README, images, workflows, development containers and source lists.
+"""Which distributions of ROS 2 a repository says it is for: in its README, images, workflows, development containers, source lists, and
+the scripts beside them.
 
 Nothing is run. The files at the top of the repository count, and those in the few directories where images and workflows are kept; where
 they name none, those of its packages.
@@ -19,6 +20,7 @@ _WORKFLOWS = os.path.join(".github", "workflows")
 _PLACES = ("docker", "Docker", ".docker", ".devcontainer", "devcontainer", "ci", ".ci", ".circleci")
 _STARTS = ("readme", "dockerfile", "containerfile", "docker-compose", "compose", "devcontainer")
 _ENDS = (".dockerfile", ".yml", ".yaml", ".sh", ".bash", ".env")
+_SCRIPTS = (".sh", ".bash")
 _CI = (".gitlab-ci.yml", ".travis.yml", "azure-pipelines.yml", "pixi.toml")
 
 
@@ -46,7 +48,7 @@ def _read(places: Iterable[tuple[str, Sequence[str]]]) -> dict[str, str]:
 def _places(root: str) -> Iterator[tuple[str, list[str]]]:
     """Directories with the files of each that say what the repository is for."""
     listed = names(root)
-    yield root, [name for name in listed if _at_top(name)]
+    yield root, [name for name in listed if _at_top(name) or name.endswith(_SCRIPTS)]
     for place in (_WORKFLOWS, *(name for name in _PLACES if name in listed)):
         directory = os.path.join(root, place)
         inside = names(directory)

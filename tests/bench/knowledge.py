@@ -1,7 +1,8 @@
 """How much of real launch files the bundled library knows: ``python -m tests.bench.knowledge CORPUS [--missing N]``.
 
-``CORPUS`` holds one directory per repository. Each ``<node>`` and ``<test>`` element is one instance, counted once, as it is
-evaluated in its own file (else in the files that include it) with default args. Printed: instances by what is known, how many of them
+``CORPUS`` holds one directory per repository, of ROS 1 or of ROS 2. Each ``<node>`` and ``<test>`` element, and each node that a launch
+file in Python makes, is one instance, counted once, as it is evaluated in its own file (else in the files that include it) with default
+args. Printed: instances by what is known, how many of them
 are known completely (nothing is open but params), and the programs most often unknown.
 """
 
@@ -13,7 +14,7 @@ from collections import Counter
 
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import EntryRequest, Options
-from launchlint.evaluate.ros1.launch import evaluate
+from launchlint.dialects.door import evaluate
 from launchlint.graph.connect import connect
 from launchlint.graph.topology import place_text
 from launchlint.workspace.discovery import discover

@@ -28,6 +28,8 @@ def named(directory: Path) -> dict[str, str]:
         (".devcontainer/devcontainer.json", '{"image": "ros:jazzy"}\n', {"jazzy"}),
         (".github/workflows/ci.yaml", "distro:\n  - humble\n  - rolling\n", {"humble", "rolling"}),
         ("arm.repos", "repositories:\n  arm:\n    version: humble-devel\n", {"humble"}),
+        ("run.sh", "docker run -it --net=host maker/ros-foxy:3.4 /bin/bash\n", {"foxy"}),
+        ("scripts/run.sh", "docker run -it ros:foxy\n", set()),
         ("docs/old.md", "For ROS 2 Foxy\n", set()),
         ("src/main.cpp", "// ROS 2 Foxy\n", set()),
     ],
