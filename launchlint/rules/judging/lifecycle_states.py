@@ -21,6 +21,8 @@ NAMES = "node_names"
 """The param of a manager that lists its nodes."""
 CHANGE_STATE = "lifecycle_msgs/srv/ChangeState"
 _ANY = "*"
+_STARTING = ("autostart", "autostart_node")
+"""Params with which a program is asked to take itself there (nav2_util::LifecycleNode, beluga_amcl)."""
 _ENDS = (".py", ".sh", ".bash", ".md", ".rst", ".txt", ".cpp", ".cc", ".cxx", ".h", ".hpp", ".xml", ".launch", ".yaml", ".yml")
 _SIMULATORS = frozenset(("gz", "ign", "gazebo", "gzserver", "gzclient", "rviz2", "xacro"))
 _SILENT_VERBS = frozenset(("bag", "topic", "param", "control"))
@@ -54,7 +56,7 @@ def may_be_taken(instance: Instance, view: GraphView) -> bool:
     What is not known counts as something that may.
     """
     takers, graph = view.once(_takers), view.graph
-    if instance.managed or takers.unknown or instance.name in takers.named:
+    if (instance.managed and not _waits_to_be_asked(instance)) or takers.unknown or instance.name in takers.named:
         return True
     service = f"{instance.name}/change_state"
     channel = graph.channels.get(("service", service))
@@ -64,6 +66,15 @@ def may_be_taken(instance: Instance, view: GraphView) -> bool:
     if any(each.node not in takers.managers and each.node != instance.name for each in possible):
         return True
     return _is_told(instance.name.rpartition("/")[2], view.launch, view.packages)
+
+
+def _waits_to_be_asked(instance: Instance) -> bool:
+    """Whether a program takes itself there only where a param says so, which is not set and false by default."""
+    own = instance.node.own
+    if own is None:
+        return False
+    defaults = {each.name.removeprefix(f"{instance.name}:"): each.declaration.default for each in instance.readings if each.certain}
+    return any(defaults.get(name) is False and name not in own for name in _STARTING)
 
 
 def _takers(view: GraphView) -> _Takers:
