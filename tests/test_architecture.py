@@ -109,7 +109,8 @@ def module_name(path: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-MODULES = {module_name(path): path for path in sorted(PACKAGE.rglob("*.py"))}
+COMPILED = PACKAGE / "report" / "html" / "compiled"  # templates of the page, as jinja2 writes them
+MODULES = {module_name(path): path for path in sorted(PACKAGE.rglob("*.py")) if COMPILED not in path.parents}
 
 
 def room(module: str) -> str:

@@ -7,8 +7,7 @@ none as if the rest were not there, and puts the rest where there is room. Where
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from launchlint.report.html.pack import DIGITS
 
@@ -24,7 +23,7 @@ MOST_ROWS = 100_000
 """Nodes or connections of an entry file that are read from it."""
 PART = 4
 """One in so many may be new."""
-DATA = re.compile(r'<script type="application/json" id="launchlint-data">(.*?)</script>', re.DOTALL)
+DATA = '<script type="application/json" id="launchlint-data">'
 
 
 def mark_late(data: Mapping[str, Any], former: str) -> None:
@@ -36,7 +35,7 @@ def mark_late(data: Mapping[str, Any], former: str) -> None:
         for entry in data["entries"]:
             _mark(entry, {key: 0 for key, item in _keyed(entry) if item.get("mark") != "added"})
         return
-    known = _turns(former)
+    known = _turns(former, {data["files"][entry["file"]] for entry in data["entries"]})
     for entry in data["entries"]:
         before = known.get(data["files"][entry["file"]])
         if before is not None:
@@ -64,16 +63,17 @@ def _keyed(entry: Mapping[str, Any]) -> list[tuple[tuple[str, ...], dict[str, An
     return names
 
 
-def _turns(former: str) -> dict[str, Turns]:
-    """Of each launch file on a page the turns of its nodes and connections."""
-    found = DATA.search(former) if len(former) <= LARGEST else None
-    if found is None:
+def _turns(former: str, shown: Collection[str]) -> dict[str, Turns]:
+    """Of each launch file on a page that is ``shown`` on the new one, too, the turns of its nodes and connections."""
+    start = former.find(DATA) + len(DATA)
+    end = former.find("</script>", start)
+    if len(former) > LARGEST or start < len(DATA) or end < 0:
         return {}
     try:
-        head, *lines = found[1].split("\n")
+        head, *lines = former[start:end].split("\n")
         page = json.loads(head)
-        files = _list(page["files"])
-        return {files[file]: _entry(json.loads(line)) for file, line in zip(_cells(page["entries"], "file"), lines, strict=False)}
+        files = [_list(page["files"])[file] for file in _cells(page["entries"], "file")]
+        return {file: _entry(json.loads(line)) for file, line in zip(files, lines, strict=False) if file in shown}
     except (ValueError, KeyError, IndexError, TypeError, AttributeError, RecursionError):
         return {}
 

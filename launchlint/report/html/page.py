@@ -5,6 +5,7 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Iterable, Mapping, Sequence
 from hashlib import sha256
+from pathlib import Path
 from typing import NamedTuple
 
 from launchlint.report.html import tables
@@ -16,9 +17,14 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from jinja2 import Environment
+
 STYLE = "style.css"
 SCRIPTS = ("elk.js", "report.js")
 """In the order in which they are loaded."""
+HERE = Path(__file__).parent
+COMPILED = HERE / "compiled"
+"""The templates as Python, in a directory that is named after the jinja2 that wrote it."""
 
 
 class Rendered(NamedTuple):
@@ -33,33 +39,51 @@ def render(data: Mapping[str, Any], landing: Sequence[Group] = (), *, separate: 
 
     With ``separate``, the start of their names, style and scripts are files of their own.
     """
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("launchlint.report.html"), autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined,
-        keep_trailing_newline=True,
-    )  # fmt: skip
     style, scripts = _read(STYLE), {name: _read(f"assets/{name}") for name in SCRIPTS}
     names = {name: f"{separate}.{name}" for name in (STYLE, *SCRIPTS)} if separate else {}
-    html = environment.get_template("page.html").render(
-        data=data,
-        landing=landing,
-        wrong=wrong(data),
-        json=script(data),
-        policy=_separate_policy() if separate else _policy([style], scripts.values()),
-        style=style,
-        scripts=scripts,
-        names=names,
-        tables=tables.tables(data),
-        findings=tables.findings(data),
-        place=lambda at: tables.place(data, at),
-        entry_title=lambda entry: tables.entry_title(data, entry),
-        verdict=verdict(data),
-        counts=counts(data),
-        overview=overview(data),
-        empty=empty_states(data),
+    html = (
+        templates()
+        .get_template("page.html")
+        .render(
+            data=data,
+            landing=landing,
+            wrong=wrong(data),
+            json=script(data),
+            policy=_separate_policy() if separate else _policy([style], scripts.values()),
+            style=style,
+            scripts=scripts,
+            names=names,
+            tables=tables.tables(data),
+            findings=tables.findings(data),
+            place=lambda at: tables.place(data, at),
+            entry_title=lambda entry: tables.entry_title(data, entry),
+            verdict=verdict(data),
+            counts=counts(data),
+            overview=overview(data),
+            empty=empty_states(data),
+        )
     )
     return Rendered(html, {names[name]: text for name, text in {STYLE: style, **scripts}.items()} if separate else {})
+
+
+def templates(*, compiled: bool = True) -> Environment:
+    """The templates of the page: as ``scripts/page_templates.py`` compiled them where this very jinja2 did it, else from their text.
+
+    Compiling them takes as long as checking a small repository.
+    """
+    import jinja2
+
+    text = jinja2.PackageLoader("launchlint.report.html")
+    made = COMPILED / f"jinja2-{vars(jinja2).get('__version__')}"
+    return jinja2.Environment(
+        # Made by another version there is no such directory: what the compiler writes is jinja2's own affair.
+        loader=jinja2.ChoiceLoader([jinja2.ModuleLoader(made), text]) if compiled else text,
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=jinja2.StrictUndefined,
+        keep_trailing_newline=True,
+    )
 
 
 def _policy(styles: Iterable[str], scripts: Iterable[str]) -> str:
@@ -77,6 +101,4 @@ def _hashes(texts: Iterable[str]) -> str:
 
 
 def _read(name: str) -> str:
-    from importlib.resources import files
-
-    return files("launchlint.report.html").joinpath(name).read_text(encoding="utf-8")
+    return (HERE / name).read_text(encoding="utf-8")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from html import escape
 from typing import NamedTuple
 
 from launchlint.graph.doubts import MayBe
@@ -26,9 +27,14 @@ class Link(NamedTuple):
     text: str
     address: str
 
+    def __html__(self) -> str:
+        """What templates write for it."""
+        text = escape(self.text)
+        return f'<a href="{escape(self.address)}">{text}</a>' if self.address else text
+
 
 class Row(NamedTuple):
-    """One row: the number of what it shows in the data, and its cells: text, or lists of names."""
+    """One row: the number of what it shows in the data, and its cells: text, numbers or a :class:`Link`."""
 
     number: int
     cells: tuple[Any, ...]

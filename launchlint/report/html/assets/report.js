@@ -3012,13 +3012,15 @@ ${counted(about.nodes, "node")}`;
         const tried = await this.stage(view, withFocus(view, ids));
         return [fitting(tried.sheet, extent) >= LEGIBLE, tried];
       };
+      let [isSeen, scene] = await trial([]);
+      if (!isSeen || !order.length) return scene;
       const [all, everything] = await trial(order);
       if (all) return everything;
       let [fits, tooMany] = [0, order.length];
-      let [, scene] = await trial([]);
       for (let count3 = 0; count3 < TRIALS2 && tooMany - fits > 1; count3++) {
         const middle2 = Math.floor((fits + tooMany) / 2);
-        const [isSeen, tried] = await trial(order.slice(0, middle2));
+        let tried;
+        [isSeen, tried] = await trial(order.slice(0, middle2));
         if (isSeen) [fits, scene] = [middle2, tried];
         else tooMany = middle2;
       }
@@ -3028,8 +3030,8 @@ ${counted(about.nodes, "node")}`;
         return open.has(((_a = view.groups.get(id)) == null ? void 0 : _a.parent) ?? "") || view.root.groups.some((each) => each.id === id);
       });
       for (const id of rest.slice(0, TRIALS2)) {
-        const [isSeen, tried] = await trial([...open, id]);
-        if (!isSeen) continue;
+        const [isSeen2, tried] = await trial([...open, id]);
+        if (!isSeen2) continue;
         open.add(id);
         scene = tried;
       }

@@ -128,13 +128,16 @@ export class Director {
       const tried = await this.stage(view, withFocus(view, ids));
       return [fitting(tried.sheet, extent) >= LEGIBLE, tried];
     };
+    let [isSeen, scene] = await trial([]);
+    // Where the fewest boxes are too many already, more of them are no better.
+    if (!isSeen || !order.length) return scene;
     const [all, everything] = await trial(order);
     if (all) return everything;
     let [fits, tooMany] = [0, order.length];
-    let [, scene] = await trial([]);
     for (let count = 0; count < TRIALS && tooMany - fits > 1; count++) {
       const middle = Math.floor((fits + tooMany) / 2);
-      const [isSeen, tried] = await trial(order.slice(0, middle));
+      let tried;
+      [isSeen, tried] = await trial(order.slice(0, middle));
       if (isSeen) [fits, scene] = [middle, tried];
       else tooMany = middle;
     }
