@@ -2912,6 +2912,7 @@ ${counted(about.nodes, "node")}`;
   // launchlint/report/html/js/drawing/scene.js
   var TRIALS2 = 4;
   var WIDEST = 2.4;
+  var LINE = 14e3;
   var Director = class {
     /** @param {ReportData} data @param {Engine} engine @param {Measure} measure */
     constructor(data, engine, measure) {
@@ -3008,20 +3009,23 @@ ${counted(about.nodes, "node")}`;
      * @returns {Promise<Scene>}
      */
     async legible(view, order, extent) {
+      const isLegible = (tried) => fitting(tried.sheet, extent) >= LEGIBLE;
       const trial = async (ids) => {
-        const tried = await this.stage(view, withFocus(view, ids));
-        return [fitting(tried.sheet, extent) >= LEGIBLE, tried];
+        const open2 = withFocus(view, ids);
+        const whole = levelsOf(view, open2, this.measure);
+        if (roomOf(whole) > roomIn(extent)) return null;
+        const tried = await this.stage(view, open2, view, whole);
+        return isLegible(tried) ? tried : null;
       };
-      let [isSeen, scene] = await trial([]);
-      if (!isSeen || !order.length) return scene;
-      const [all, everything] = await trial(order);
-      if (all) return everything;
+      let scene = await this.stage(view, withFocus(view, []));
+      if (!order.length || !isLegible(scene)) return scene;
+      const everything = await trial(order);
+      if (everything) return everything;
       let [fits, tooMany] = [0, order.length];
       for (let count3 = 0; count3 < TRIALS2 && tooMany - fits > 1; count3++) {
         const middle2 = Math.floor((fits + tooMany) / 2);
-        let tried;
-        [isSeen, tried] = await trial(order.slice(0, middle2));
-        if (isSeen) [fits, scene] = [middle2, tried];
+        const tried = await trial(order.slice(0, middle2));
+        if (tried) [fits, scene] = [middle2, tried];
         else tooMany = middle2;
       }
       const open = new Set(scene.open);
@@ -3030,8 +3034,8 @@ ${counted(about.nodes, "node")}`;
         return open.has(((_a = view.groups.get(id)) == null ? void 0 : _a.parent) ?? "") || view.root.groups.some((each) => each.id === id);
       });
       for (const id of rest.slice(0, TRIALS2)) {
-        const [isSeen2, tried] = await trial([...open, id]);
-        if (!isSeen2) continue;
+        const tried = await trial([...open, id]);
+        if (!tried) continue;
         open.add(id);
         scene = tried;
       }
@@ -3045,14 +3049,25 @@ ${counted(about.nodes, "node")}`;
       const before = levelsOf(former2, open, this.measure);
       return grown(whole, before, await fresh(before), fresh, (box2) => turnOf(view.entry, box2.id), this.measure);
     }
-    /** @param {View} view that is laid out @param {Set<string>} open @param {View} [shown] what of it is seen @returns {Promise<Scene>} */
-    async stage(view, open, shown2 = view) {
-      const whole = levelsOf(view, open, this.measure);
+    /**
+     * @param {View} view that is laid out
+     * @param {Set<string>} open
+     * @param {View} [shown] what of it is seen
+     * @param {Level} [whole] what is in it
+     * @returns {Promise<Scene>}
+     */
+    async stage(view, open, shown2 = view, whole = levelsOf(view, open, this.measure)) {
       const placed = await this.laidOut(view, whole, open);
       const root = shown2 === view ? whole : masked(whole, shown2, this.measure);
       return { view: shown2, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
     }
   };
+  function roomOf({ boxes, edges }) {
+    return edges.length * LINE + boxes.reduce((sum, { level, width, height }) => sum + (level ? roomOf(level) : width * height), 0);
+  }
+  function roomIn({ width, height }) {
+    return width * height / LEGIBLE ** 2;
+  }
   function wholeState(state) {
     return { ...state, layers: { topics: true, services: true, actions: true, params: state.layers.params }, findingsOnly: false, tray: true, hidden: /* @__PURE__ */ new Set(), filter: "" };
   }

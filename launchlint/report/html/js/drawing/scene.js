@@ -25,6 +25,8 @@ import { Drawn } from "./walk.js";
 /** Layouts that are tried. */
 const TRIALS = 4;
 const WIDEST = 2.4;
+/** Square pixels that a line takes with its name and the way around others: half of the least in layouts of public robots. */
+const LINE = 14_000;
 
 export class Director {
   /** @param {ReportData} data @param {Engine} engine @param {Measure} measure */
@@ -123,30 +125,34 @@ export class Director {
    * @returns {Promise<Scene>}
    */
   async legible(view, order, extent) {
-    /** @param {Iterable<string>} ids @returns {Promise<[boolean, Scene]>} */
+    /** @param {Scene} tried */
+    const isLegible = (tried) => fitting(tried.sheet, extent) >= LEGIBLE;
+    /** @param {string[]} ids @returns {Promise<Scene | null>} null where it cannot be read */
     const trial = async (ids) => {
-      const tried = await this.stage(view, withFocus(view, ids));
-      return [fitting(tried.sheet, extent) >= LEGIBLE, tried];
+      const open = withFocus(view, ids);
+      const whole = levelsOf(view, open, this.measure);
+      if (roomOf(whole) > roomIn(extent)) return null;
+      const tried = await this.stage(view, open, view, whole);
+      return isLegible(tried) ? tried : null;
     };
-    let [isSeen, scene] = await trial([]);
+    let scene = await this.stage(view, withFocus(view, []));
     // Where the fewest boxes are too many already, more of them are no better.
-    if (!isSeen || !order.length) return scene;
-    const [all, everything] = await trial(order);
-    if (all) return everything;
+    if (!order.length || !isLegible(scene)) return scene;
+    const everything = await trial(order);
+    if (everything) return everything;
     let [fits, tooMany] = [0, order.length];
     for (let count = 0; count < TRIALS && tooMany - fits > 1; count++) {
       const middle = Math.floor((fits + tooMany) / 2);
-      let tried;
-      [isSeen, tried] = await trial(order.slice(0, middle));
-      if (isSeen) [fits, scene] = [middle, tried];
+      const tried = await trial(order.slice(0, middle));
+      if (tried) [fits, scene] = [middle, tried];
       else tooMany = middle;
     }
     // One large container may keep small ones after it from being opened: some of them get a try of their own.
     const open = new Set(scene.open);
     const rest = order.slice(tooMany).filter((id) => open.has(view.groups.get(id)?.parent ?? "") || view.root.groups.some((each) => each.id === id));
     for (const id of rest.slice(0, TRIALS)) {
-      const [isSeen, tried] = await trial([...open, id]);
-      if (!isSeen) continue;
+      const tried = await trial([...open, id]);
+      if (!tried) continue;
       open.add(id);
       scene = tried;
     }
@@ -162,13 +168,28 @@ export class Director {
     return grown(whole, before, await fresh(before), fresh, (box) => turnOf(view.entry, box.id), this.measure);
   }
 
-  /** @param {View} view that is laid out @param {Set<string>} open @param {View} [shown] what of it is seen @returns {Promise<Scene>} */
-  async stage(view, open, shown = view) {
-    const whole = levelsOf(view, open, this.measure);
+  /**
+   * @param {View} view that is laid out
+   * @param {Set<string>} open
+   * @param {View} [shown] what of it is seen
+   * @param {Level} [whole] what is in it
+   * @returns {Promise<Scene>}
+   */
+  async stage(view, open, shown = view, whole = levelsOf(view, open, this.measure)) {
     const placed = await this.laidOut(view, whole, open);
     const root = shown === view ? whole : masked(whole, shown, this.measure);
     return { view: shown, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
   }
+}
+
+/** Square pixels that a level takes at the least, however it is laid out. @param {Level} level @returns {number} */
+function roomOf({ boxes, edges }) {
+  return edges.length * LINE + boxes.reduce((sum, { level, width, height }) => sum + (level ? roomOf(level) : width * height), 0);
+}
+
+/** Square pixels of a drawing whose names can be read. @param {{ width: number, height: number }} extent of the viewport, in pixels */
+function roomIn({ width, height }) {
+  return (width * height) / LEGIBLE ** 2;
 }
 
 /** The same state with nothing switched off, filtered or hidden that leaves a place of its own. @param {ViewState} state @returns {ViewState} */
