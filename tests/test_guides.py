@@ -110,6 +110,10 @@ def test_the_manual_pages_are_what_the_commands_say() -> None:
     passes(sys.executable, ROOT / "scripts/man_pages.py", "--check")
 
 
+def test_the_compiled_templates_are_what_the_templates_give() -> None:
+    passes(sys.executable, ROOT / "scripts/page_templates.py", "--check")
+
+
 def test_the_site_builds(tmp_path: Path) -> None:
     if importlib.util.find_spec("material") is None:
         pytest.skip("mkdocs-material is not installed (it is part of the dev extra)")

@@ -172,3 +172,19 @@ def test_no_such_revision(tracked: Path) -> None:
     ran = run(tracked, "report", "--base", "nowhere")
     assert ran.status == 2
     assert ran.errors.startswith("launchlint: nowhere is no revision of the git repository ")
+
+
+def test_a_missing_file_that_was_missing_before_is_not_new(tracked: Path) -> None:
+    launch = tracked / "demo" / "launch" / "clean.launch"
+    line = '<node name="view" pkg="demo" type="talk.py" args="-d $(find demo)/config/{}.yaml"/>'
+    (tracked / "demo" / "config").mkdir(exist_ok=True)
+    (tracked / "demo" / "config" / "other.yaml").write_text("{}\n", encoding="utf-8")
+    launch.write_text(f"<launch>\n{line.format('missing')}\n</launch>\n", encoding="utf-8")
+    git(tracked, "add", "-A")
+    git(tracked, "commit", "-q", "-m", "second")
+    launch.write_text(f"<launch>\n\n{line.format('missing')}\n</launch>\n", encoding="utf-8")
+    data = data_of(run(tracked, "report", "-o", "-", "--base", "HEAD", "--select", "LL411", "demo/launch/clean.launch").output)
+    assert [(each["message"], each.get("since", "")) for each in data["findings"]] == [
+        ("the file demo/config/missing.yaml does not exist", "")
+    ]
+    assert data["fixed"] == []

@@ -69,7 +69,11 @@ def counts(data: Mapping[str, Any]) -> list[Count]:
         found += [Count(nodes, f"{'node' if nodes == 1 else 'nodes'} started"), Count(known, "known")] if nodes else []
     elif data["entries"]:
         first = data["entries"][0]
-        found.append(_count(len(first["nodes"]), "node"))
+        present = sum(each.get("mark") != "removed" for each in first["nodes"])
+        started = min(first["sight"][1], present) or present
+        found.append(_count(started, "node"))
+        if present > started:
+            found.append(Count(present - started, "more with other args"))
         found.append(_count(sum(each["kind"] == "topic" and not each["plumbing"] for each in first["channels"]), "topic"))
     return found
 

@@ -211,7 +211,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         label=f"named here for {posixpath.basename(use.program)}",
         notes=tuple(notes),
         help=advice if maker is None else maker.help,
-        topic=path,
+        topic=shown(path, root),
         shared_cause=("" if severity is Severity.INFO else lacking(path) if near is None else moved(path, near)) or cause_of(path, maker),
         about=(shown(path, root),),
     )

@@ -62,3 +62,13 @@ def test_of_an_example(name: str, tmp_path: Path) -> None:
 def test_of_a_public_robot(name: str, tmp_path: Path) -> None:
     shutil.copytree(Path(os.environ["LAUNCHLINT_CORPUS"], name), tmp_path / "robot", symlinks=True)
     assert_same(*compared(tmp_path / "robot"))
+
+
+def test_nodes_are_those_started_without_other_args_as_on_cards_and_in_check(tmp_path: Path) -> None:
+    node = '<node pkg="demo" type="talk" name="{}"/>'
+    group = f'<group if="$(arg sim)">{node.format("sim")}</group>'
+    launch = f'<launch><arg name="sim" default="false"/>{node.format("always")}{group}</launch>'
+    (tmp_path / "choices.launch").write_text(launch, encoding="utf-8")
+    said, _, page = compared(tmp_path)
+    assert said["sight"]["nodes"] == 1
+    assert [each for each in lines(text(page, "counts")) if "node" in each or "args" in each] == ["1 node", "1 more with other args"]

@@ -6877,12 +6877,15 @@ ${end.mark}`;
       verdict2.textContent = base === null ? words2 : `${words2}; compared with ${base}`;
       const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
       const topics = entry.channels.filter((each, at) => each.kind === "topic" && !each.plumbing && each.mark !== "removed" && isUsedIn(model, at, state.configuration));
+      const [, usual] = entry.sight;
+      const started = state.configuration < 0 && usual ? Math.min(usual, nodes.length) : nodes.length;
       const unknown = nodes.filter((each) => each.knowledge === "unknown");
       const partly = nodes.filter((each) => each.knowledge !== "unknown" && (each.open.length > 0 || each.partly.length > 0));
       fill(
         counts,
         ...SEVERITIES4.map((severity) => count2(has(severity), severity, severity)),
-        count2(nodes.length, "node"),
+        count2(started, "node"),
+        count2(nodes.length - started, "more with other args", "", "more with other args"),
         count2(unknown.length, "not known", "unknown", "not known"),
         count2(partly.length, "known in part", "partly", "known in part"),
         count2(topics.length, "topic"),

@@ -51,3 +51,9 @@ def test_a_combination_has_an_address(open_report):
     assert "configuration=" in fragment(page)
     again = open_report("choices", f"#{fragment(page)}")
     assert sorted(again.locator("#tree .node .label").all_inner_texts()) == ["always", "log", "sim"]
+
+
+def test_the_head_counts_what_is_started_without_other_args_as_check_does(open_report):
+    page = open_report("choices")
+    counts = page.locator("#counts li").all_inner_texts()
+    assert counts[counts.index("1 node") + 1] == "4 more with other args"

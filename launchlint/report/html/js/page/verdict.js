@@ -25,12 +25,16 @@ export function createVerdict(page) {
     verdict.textContent = base === null ? words : `${words}; compared with ${base}`;
     const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
     const topics = entry.channels.filter((each, at) => each.kind === "topic" && !each.plumbing && each.mark !== "removed" && isUsedIn(model, at, state.configuration));
+    // Cards, and check, count what is started without other args.
+    const [, usual] = entry.sight;
+    const started = state.configuration < 0 && usual ? Math.min(usual, nodes.length) : nodes.length;
     const unknown = nodes.filter((each) => each.knowledge === "unknown");
     const partly = nodes.filter((each) => each.knowledge !== "unknown" && (each.open.length > 0 || each.partly.length > 0));
     fill(
       counts,
       ...SEVERITIES.map((severity) => count(has(severity), severity, severity)),
-      count(nodes.length, "node"),
+      count(started, "node"),
+      count(nodes.length - started, "more with other args", "", "more with other args"),
       count(unknown.length, "not known", "unknown", "not known"),
       count(partly.length, "known in part", "partly", "known in part"),
       count(topics.length, "topic"),
