@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from launchlint.workspace.listing import SOURCE_ENDS
 
-_LAUNCH = frozenset({".launch", ".test", ".xml"})
+_LAUNCH = frozenset({".launch", ".test", ".xml", ".py"})
 _MANIFESTS = frozenset({"package.xml", "manifest.xml"})
 _NO_MATTER = frozenset(
     ".action .c .cc .cmake .cpp .css .cxx .gitignore .h .hh .hpp .html .hxx .ipp .js .json .log .md .msg .py .pyc .rst .rviz .srv .txt"
@@ -41,6 +41,7 @@ def changed(repository: str, directory: str) -> Changed:
             continue
         if os.path.splitext(path)[1].lower() in _LAUNCH and os.path.basename(path) not in _MANIFESTS and not os.path.islink(file):
             launch_files.add(os.path.realpath(file))
+            sources = sources or _is_source(path)  # a program in Python, or a launch file
         elif _is_source(path):
             sources = True
         else:

@@ -75,6 +75,11 @@ class EntryResult(NamedTuple):
     programs: tuple[tuple[str, str, str, str, str], ...] = ()
     sight: Sight = NOTHING
 
+    @property
+    def launch_files(self) -> Iterable[str]:
+        """The launch files that it is made of, as shown: itself, and what it includes in whichever configuration."""
+        return dict.fromkeys((self.path, *self.summary.included, *(file.path for file in self.files)))
+
 
 MOST_REASONS = 20
 """Reasons that are kept of one launch file in Python."""

@@ -29,7 +29,7 @@ def with_losses(results: Sequence[EntryResult], checker: EntryChecker, base: str
 def with_losses_since(result: EntryResult, checker: EntryChecker, old: Revision, base: str, rules: Sequence[Entry]) -> EntryResult:
     """One result with the findings of ``rules``, which compare with the revision ``base``, unpacked as ``old``."""
     request = old.request(result.request)
-    if request is None or not old.differs(checker.options.root, (path for path, _ in result.visited)):
+    if request is None or not old.differs(checker.options.root, result.launch_files):
         return result
     try:
         after = tuple(graphs_of(checker, result.request, every_configuration=True))

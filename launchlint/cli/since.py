@@ -56,7 +56,7 @@ def _before(result: EntryResult, surveyor: Surveyor, old: Revision) -> EntryResu
     request = old.request(result.request)
     if request is None:
         return None
-    if old.differs(surveyor.options.root, (path for path, _ in result.visited)):
+    if old.differs(surveyor.options.root, result.launch_files):
         return old.checker.check(request)
     return result
 

@@ -186,7 +186,7 @@ def beside_base(surveyed: Sequence[Surveyed], surveyor: Surveyor, old: Revision,
         request = old.request(result.request)
         if request is None:
             befores.append(None)
-        elif each.topology is None or not old.differs(surveyor.options.root, (path for path, _ in result.visited)):
+        elif each.topology is None or not old.differs(surveyor.options.root, result.launch_files):
             befores.append(each.topology)
         else:
             befores.append(_at_home(topology(graphs_of(old.checker, request, every_configuration=True)), old))

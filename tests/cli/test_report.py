@@ -188,3 +188,29 @@ def test_a_missing_file_that_was_missing_before_is_not_new(tracked: Path) -> Non
         ("the file demo/config/missing.yaml does not exist", "")
     ]
     assert data["fixed"] == []
+
+
+ROS2 = {
+    "robot.launch.xml": '<launch><node pkg="demo_nodes_cpp" exec="{}" name="{}"/></launch>\n',
+    "robot.launch.py": """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package="demo_nodes_cpp", executable="{}", name="{}")])
+""",
+}
+
+
+@pytest.mark.parametrize("name", ROS2)
+@pytest.mark.parametrize("words", [(), ("--no-extract",)])
+def test_base_compares_launch_files_of_ros_2(tracked: Path, name: str, words: tuple[str, ...]) -> None:
+    launch = tracked / "demo" / "launch" / name
+    launch.write_text(ROS2[name].format("talker", "one"), encoding="utf-8")
+    git(tracked, "add", "-A")
+    git(tracked, "commit", "-q", "-m", "second")
+    launch.write_text(ROS2[name].format("listener", "other"), encoding="utf-8")
+    data = data_of(run(tracked, "report", "-o", "-", "--base", "HEAD", *words, f"demo/launch/{name}").output)
+    (entry,) = data["entries"]
+    assert sorted((each["name"], each["mark"]) for each in entry["nodes"]) == [("/one", "removed"), ("/other", "added")]

@@ -16,12 +16,15 @@ from tests.report.html.browser.reading import drawn
 pytestmark = pytest.mark.chromium
 
 ROBOTS = {
-    "PR2+pr2_robot": "pr2_bringup/pr2.launch",
-    "ethz-asl+rotors_simulator": "rotors_gazebo/launch/firefly_swarm_hovering_example.launch",
-    "spencer-project+spencer_people_tracking": "launch/spencer_people_tracking_launch/launch/tracking_on_bagfile.launch",
-    "ZJU-FAST-Lab+ego-planner-swarm": "src/planner/plan_manage/launch/swarm_large.launch",
+    "ros1/PR2+pr2_robot": "pr2_bringup/pr2.launch",
+    "ros1/ethz-asl+rotors_simulator": "rotors_gazebo/launch/firefly_swarm_hovering_example.launch",
+    "ros1/spencer-project+spencer_people_tracking": "launch/spencer_people_tracking_launch/launch/tracking_on_bagfile.launch",
+    "ros1/ZJU-FAST-Lab+ego-planner-swarm": "src/planner/plan_manage/launch/swarm_large.launch",
+    "ros2/autowarefoundation+autoware.universe": "launch/tier4_localization_launch/launch/localization.launch.xml",
+    "ros2/autowarefoundation+autoware_launch": "autoware_launch/launch/logging_simulator.launch.xml",
+    "ros2/castacks+AirStack": "common/ros_packages/desktop_bringup/launch/robot.launch.xml",
 }
-"""Of 45 to 106 nodes."""
+"""Of 29 to 106 nodes."""
 SMALLEST = """() => {
   const svg = document.querySelector("#drawing > svg");
   const frame = svg.getBoundingClientRect();
@@ -53,7 +56,7 @@ def test_every_name_of_the_example_can_be_read_and_it_fills_the_stage(open_repor
 @pytest.mark.corpus
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_every_name_of_a_public_robot_can_be_read(browser: Browser, tmp_path: Path, robot: str) -> None:
-    directory = Path(str(find_corpus())) / "ros1" / robot
+    directory = Path(str(find_corpus())) / robot
     target = tmp_path / "report.html"
     environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
     command = [sys.executable, "-m", "launchlint", "report", ROBOTS[robot], "-o", str(target), "--quiet", "--jobs", "1"]

@@ -57,7 +57,7 @@ class Robot:
 def robot(request: pytest.FixtureRequest, browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Robot]:
     target = tmp_path_factory.mktemp("robot") / "report.html"
     launch = ROBOTS[request.param]
-    written(Path(str(find_corpus())) / "ros1" / request.param, launch, target)
+    written(Path(str(find_corpus())) / request.param, launch, target)
     made = Robot(browser, launch, target)
     yield made
     assert [each.taken for each in made.tasks if each.taken > MOST] == []
@@ -105,7 +105,10 @@ def test_what_is_wrong_and_where(robot: Robot) -> None:
 def test_an_include_and_its_ports(robot: Robot) -> None:
     task = robot.task()
     task.press("Launch file", "Group nodes by")
-    task.do(lambda page: page.locator("#tree .row.include").first.click())
+    include = task.page.locator("#tree .row.include:visible").first
+    if not include.count():  # all of it stands in a group
+        task.do(lambda page: page.locator("#tree .twisty").first.click())
+    task.do(lambda _: include.click())
     assert task.panel[1] == "Include"
 
 
@@ -159,7 +162,7 @@ def test_why_is_this_node_alone(robot: Robot) -> None:
     if alone["knowledge"] == "unknown":
         assert "What it does is not known" in task.panel
     else:
-        reasons = ("nobody", "not known", "everybody", "Nothing is known of it", "shares")
+        reasons = ("nobody", "not known", "everybody", "Nothing is known of it", "shares", "known only in part")
         assert any(word in line for line in task.panel for word in reasons), task.panel
 
 

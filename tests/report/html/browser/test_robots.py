@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -34,6 +33,14 @@ def written(directory: Path, launch: str, target: Path, *words: str) -> None:
     subprocess.run(command, cwd=directory, env=environment, check=True)
 
 
+def add_newcomer(launch: Path, robot: str, package: str, program: str, words: str = "") -> None:
+    """Add a node of the name *newcomer* to a launch file of a robot."""
+    program_is = "exec" if robot.startswith("ros2/") else "type"
+    node = f'<node pkg="{package}" {program_is}="{program}" name="newcomer" args="{words}"/>'
+    before, _, after = launch.read_text(encoding="utf-8").rpartition("</launch>")
+    launch.write_text(f"{before}{node}</launch>{after}", encoding="utf-8")
+
+
 def opened(browser: Browser, target: Path, fragment: str) -> Page:
     page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
     page.goto(f"{target.as_uri()}{fragment}")
@@ -44,7 +51,7 @@ def opened(browser: Browser, target: Path, fragment: str) -> Page:
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_a_robot(browser: Browser, tmp_path: Path, robot: str) -> None:
     directory, target = tmp_path / "robot", tmp_path / "report.html"
-    shutil.copytree(Path(str(find_corpus())) / "ros1" / robot, directory, symlinks=True)
+    shutil.copytree(Path(str(find_corpus())) / robot, directory, symlinks=True)
     written(directory, ROBOTS[robot], target)
     page = opened(browser, target, f"#entry={ROBOTS[robot]}")
     places = page.evaluate(PLACES)
@@ -70,8 +77,7 @@ def test_a_robot(browser: Browser, tmp_path: Path, robot: str) -> None:
     page.close()
 
     launch = directory / ROBOTS[robot]
-    more = '<node pkg="rosout" type="rosout" name="newcomer"/>'
-    launch.write_text(re.sub(r"</launch>\s*$", f"{more}</launch>", launch.read_text()))
+    add_newcomer(launch, robot, "rosout", "rosout")
     written(directory, ROBOTS[robot], target)
     page = opened(browser, target, f"#entry={ROBOTS[robot]}")
     after = page.evaluate(PLACES)
@@ -85,13 +91,11 @@ def test_a_robot(browser: Browser, tmp_path: Path, robot: str) -> None:
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_what_a_change_did(browser: Browser, tmp_path: Path, robot: str) -> None:
     directory, target, launch = tmp_path / "robot", tmp_path / "report.html", ROBOTS[robot]
-    shutil.copytree(Path(str(find_corpus())) / "ros1" / robot, directory, symlinks=True)
+    shutil.copytree(Path(str(find_corpus())) / robot, directory, symlinks=True)
     shutil.rmtree(directory / ".git", ignore_errors=True)
     for words in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "before")):
         subprocess.run([*GIT, *words], cwd=directory, check=True)
-    file = directory / launch
-    more = '<node pkg="topic_tools" type="relay" name="newcomer" args="newcomer_in newcomer_out"/>'
-    file.write_text(re.sub(r"</launch>\s*$", f"{more}</launch>", file.read_text()))
+    add_newcomer(directory / launch, robot, "topic_tools", "relay", "newcomer_in newcomer_out")
     written(directory, launch, target, "--base", "HEAD")
     page = opened(browser, target, f"#entry={launch}")
     task = Steps(page)
