@@ -3333,8 +3333,8 @@ ${counted(about.nodes, "node")}`;
           found2.boxes += 1;
           found2.folded += (scene == null ? void 0 : scene.view.counts.get(box2.id)) ?? 0;
         }
-        const [left, top] = [place2.x + x * place2.scale, place2.y + y * place2.scale];
-        const isSeen = left + width * place2.scale > 4 && top + height * place2.scale > 4 && left < extent.width - 4 && top < extent.height - 4;
+        const [middle2, centre] = [place2.x + (x + width / 2) * place2.scale, place2.y + (y + height / 2) * place2.scale];
+        const isSeen = middle2 > 0 && centre > 0 && middle2 < extent.width && centre < extent.height;
         if (!isSeen && box2.kind !== "open") found2.outside += 1;
       }
       return found2;

@@ -242,8 +242,9 @@ export class Surface {
         found.boxes += 1;
         found.folded += scene?.view.counts.get(box.id) ?? 0;
       }
-      const [left, top] = [place.x + x * place.scale, place.y + y * place.scale];
-      const isSeen = left + width * place.scale > 4 && top + height * place.scale > 4 && left < extent.width - 4 && top < extent.height - 4;
+      // What is cut in half is not seen.
+      const [middle, centre] = [place.x + (x + width / 2) * place.scale, place.y + (y + height / 2) * place.scale];
+      const isSeen = middle > 0 && centre > 0 && middle < extent.width && centre < extent.height;
       if (!isSeen && box.kind !== "open") found.outside += 1;
     }
     return found;
