@@ -12,7 +12,7 @@ pytestmark = pytest.mark.chromium
 def test_header_says_whether_it_loads_and_how_much_there_is(open_report):
     page = open_report()
     assert page.locator("#verdict").inner_text() == "loads"
-    assert page.locator("#counts li").all_inner_texts() == ["1 info", "9 nodes", "1 not known", "6 topics"]
+    assert page.locator("#counts li").all_inner_texts() == ["1 info", "8 nodes", "1 more with other args", "1 not known", "6 topics"]
     assert page.get_by_label("Launch file", exact=True).first.locator("option").all_inner_texts() == [
         "All 2 launch files",
         "robot.launch (1 finding)",
