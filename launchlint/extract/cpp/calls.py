@@ -339,10 +339,9 @@ def _method(machine: Machine, node: Node, function: Node, frame: Frame) -> Value
         inner = named.children[0] if named.kind == "dependent_name" and named.children else named
         types = template_arguments(inner)
         name = (inner.field("name") or inner).text
-    from launchlint.extract.cpp.places import cell_of, made_up
+    from launchlint.extract.cpp.places import made_up, read
 
-    cell = cell_of(machine, argument, frame)
-    value = machine.read(cell) if cell is not None else machine.evaluate(argument, frame)
+    value, cell = read(machine, argument, frame)
     given = classes.arguments(machine, node.field("arguments"), frame)
     asked = Call(machine, name, types, given, node, frame)
     dot = operator is not None and operator.text == "."

@@ -63,13 +63,15 @@ def arguments(machine: Machine, node: Node | None, frame: Frame) -> list[Argumen
     for each in node.children if node else ():
         if each.kind.startswith("preproc"):
             continue
-        cell = cell_of(machine, each, frame) if each.kind in _PLACES else None
-        value = machine.read(cell) if cell is not None and each.kind != "pointer_expression" else machine.evaluate(each, frame)
-        found.append(Argument(value, cell, each))
+        if each.kind in _PLACES:
+            found.append(machine.argument(each, frame))
+            continue
+        cell = cell_of(machine, each, frame) if each.kind == "pointer_expression" else None
+        found.append(Argument(machine.evaluate(each, frame), cell, each))
     return found
 
 
-_PLACES = frozenset(("identifier", "field_expression", "qualified_identifier", "pointer_expression", "parenthesized_expression"))
+_PLACES = frozenset(("identifier", "field_expression", "qualified_identifier", "parenthesized_expression"))
 
 
 def construct(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:

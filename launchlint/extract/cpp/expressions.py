@@ -7,7 +7,7 @@ from launchlint.extract.cpp.declarations import joined
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import braced, together
 from launchlint.extract.cpp.operators import LONGEST_TEXT, combined, literal, number, unescaped
-from launchlint.extract.cpp.places import cell_of, made_up
+from launchlint.extract.cpp.places import cell_of, of_member
 from launchlint.extract.cpp.spelled_type import Type, parse_type
 from launchlint.extract.cpp.standard import NPOS
 from launchlint.extract.cpp.syntax import Node, parse_expression
@@ -20,13 +20,11 @@ from launchlint.extract.cpp.values import (
     Closure,
     Handle,
     Items,
-    Null,
     Number,
     Text,
     Thing,
     Unknown,
     Value,
-    choices,
     either,
     plain,
 )
@@ -116,7 +114,7 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
 
 def _named(machine: Machine, node: Node, frame: Frame) -> Value:
     if node.kind == "field_expression":
-        return _field(machine, node, frame)
+        return of_member(machine, node, frame)
     cell = cell_of(machine, node, frame)
     if cell is not None:
         return machine.read(cell)
@@ -155,30 +153,6 @@ def constant(machine: Machine, name: str, frame: Frame) -> Value:
             first = machine.evaluate(node, Frame(frame.path, scope, None, {})) if node is not None else Number(0)
             return combined(machine, "+", first, Number(behind)) if behind else first
     return UNKNOWN
-
-
-def _field(machine: Machine, node: Node, frame: Frame) -> Value:
-    argument, named = node.field("argument"), node.field("field")
-    if argument is None or named is None:
-        return UNKNOWN
-    value = machine.evaluate(argument, frame)
-    name = named.text
-    if isinstance(value, Items) and name in ("first", "second") and len(value.items) == 2:
-        return value.items[0 if name == "first" else 1]
-    found: list[tuple[str, Value]] = []
-    for condition, each in choices(value):
-        if isinstance(each, (Null, Unknown)):
-            cell = cell_of(machine, argument, frame)
-            made = made_up(machine, cell, frame) if cell is not None and cell.type.name else None
-            each = made or each
-        if isinstance(each, Thing):
-            member = classes.member(machine, each, name)
-            if member is None:
-                functions = classes.methods(machine, each, name)
-                found.append((condition, Callable(tuple(functions), each) if functions else UNKNOWN))
-            else:
-                found.append((condition, machine.read(member)))
-    return either(found) if found else UNKNOWN
 
 
 def _binary(machine: Machine, node: Node, frame: Frame) -> Value:

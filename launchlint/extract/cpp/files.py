@@ -17,13 +17,28 @@ _MOST_FILES = 600
 _MOST_BYTES = 8 << 20
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]{1,300})[>"]', re.MULTILINE)
 _MOST_KEPT = 4 << 20
+_MOST_HEADERS = 100_000
 
 
 class Trees:
-    """The trees of the files that were read last, for programs that share them."""
+    """The trees of the files that were read last, for programs that share them, and what their headers were found to be."""
 
     def __init__(self) -> None:
         self._kept: OrderedDict[tuple[str, int, int], Root] = OrderedDict()
+        self._headers: dict[tuple[str, ...], dict[tuple[str, str], str | None]] = {}
+        self._found = 0
+
+    def header(self, name: str, quoted: bool, path: str, directories: tuple[str, ...]) -> str | None:
+        """The header that the file at ``path`` includes, as :func:`launchlint.extract.scanned.found_header` says."""
+        known = self._headers.setdefault(directories, {})
+        key = (os.path.dirname(path) if quoted else "", name)
+        if key not in known:
+            if self._found >= _MOST_HEADERS:
+                self._headers, self._found = {}, 0
+                known = self._headers.setdefault(directories, {})
+            known[key] = found_header(name, quoted, path, directories)
+            self._found += 1
+        return known[key]
 
     def of(self, path: str, data: bytes) -> Root:
         """The tree of the file at ``path`` with content ``data``."""
@@ -59,6 +74,7 @@ def read_files(
     problems: list[str] = []
     seen: set[str] = set()
     total = 0
+    directories = tuple(include_directories)
     pending: list[tuple[str, Root | None]] = [(each, None) for each in reversed(list(dict.fromkeys(sources)))]
     while pending:
         path, tree = pending.pop()
@@ -82,7 +98,7 @@ def read_files(
             data = filled(data.decode("utf-8", "replace"), path, templates).encode()
         pending.append((path, trees.of(path, data)))
         spelled = [(match[2].decode("utf-8", "replace"), match[1] == b'"') for match in _INCLUDE.finditer(data)]
-        included = [found_header(name, quoted, path, include_directories) for name, quoted in spelled]
+        included = [trees.header(name, quoted, path, directories) for name, quoted in spelled]
         missing.update((each, None) for each, header in zip(spelled, included, strict=True) if header is None)
         pending += [(each, None) for each in reversed(included) if each is not None]
     return found, problems, list(missing)

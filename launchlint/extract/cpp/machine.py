@@ -53,6 +53,8 @@ _MOST_STEPS_OF_NUMBERED = 4_000
 _LONGEST_CONDITION = 160
 _LARGEST_IRRELEVANT = 1_500
 _LARGEST_PLAIN = 500
+_MOST_STEPS_OF_IRRELEVANT = 3_000
+"""Steps that one program is followed through one function that has nothing to do with names, and what that calls."""
 _ASSIGNED = re.compile(r"(?:(?<![\w.>])|(?<=this->))([A-Za-z_]\w*)\s*=(?!=)")
 """A member that is assigned: not one of another object."""
 _PLAIN = DOUBLES | INTEGERS | {"void"}
@@ -99,6 +101,7 @@ class Machine:
         self.facts: dict[str, Fact] = {}
         self.doubts: dict[Doubt, None] = {}
         self.nodes: dict[str, Made] = {}
+        self.set_here: set[str] = set()  # params that the program has set by now: of what type they were does not matter to it
         self.conditions: list[str] = []
         self.when = "start"
         self.exists = ""
@@ -110,6 +113,7 @@ class Machine:
         self.too_deep = False
         self.serial = 0
         self.steps = 0
+        self.spent: dict[Function, int] = {}  # steps in functions that have nothing to do with names, and in what they call
         self.depth = 0
         self.calls: list[Function] = []
         self.dispatched: dict[Function, int] = {}
@@ -136,8 +140,7 @@ class Machine:
 
     def argument(self, node: Node, frame: Frame) -> Argument:
         """An argument that is the name of a variable."""
-        cell = places.cell_of(self, node, frame)
-        return Argument(self.evaluate(node, frame) if cell is None else self.read(cell), cell, node)
+        return Argument(*places.read(self, node, frame), node)
 
     def execute(self, node: Node, frame: Frame) -> str:
         """Follow a statement; ``return``, ``break``, ``continue``, or empty where the next one is reached."""
@@ -368,10 +371,13 @@ class Machine:
             if overloads.tells(self, function):
                 self.doubt_all(f"calls are nested too deeply to follow {function.name}", function.path, function.line)
             return UNKNOWN
-        largest = _LARGEST_PLAIN if function.returns.name in _PLAIN else _LARGEST_IRRELEVANT
-        if function.body.size > largest and not overloads.is_relevant(self, function):
-            self._forget(function, this)
-            return UNKNOWN
+        relevant = overloads.is_relevant(self, function)
+        if not relevant:
+            largest = _LARGEST_PLAIN if function.returns.name in _PLAIN else _LARGEST_IRRELEVANT
+            if function.body.size > largest or self.spent.get(function, 0) > _MOST_STEPS_OF_IRRELEVANT:
+                self._forget(function, this)
+                return UNKNOWN
+        begun = self.steps
         owner = self.declarations.classes.get(function.owner)
         known = dict(classes.bindings_in(self, this, owner)) if this is not None else {}
         known.update(bindings or {})
@@ -386,6 +392,8 @@ class Machine:
         finally:
             self.calls.pop()
             self.horizon = horizon
+            if not relevant:
+                self.spent[function] = self.spent.get(function, 0) + self.steps - begun
         return either(frame.returns) if frame.returns else UNKNOWN
 
     def _forget(self, function: Function, this: Thing | None) -> None:
@@ -449,7 +457,8 @@ class Machine:
             if UNKNOWN_SPACE in spelled or (LOOSE in text and ANY in spelled) or _is_loose(spelled):
                 where = UNKNOWN_SPACE if UNKNOWN_SPACE in spelled else ""
                 self.doubt(category, f"{where}a name is not known before it runs: {shortened(node.text)}", node, frame)
-            self._fact(category, spelled, node, frame, condition, more)
+            untyped = category == "params" and text in self.set_here
+            self._fact(category, spelled, node, frame, condition, {**more, "value_type": ""} if untyped else more)
 
     def _fact(self, category: str, name: str, node: Node, frame: Frame, condition: str, more: dict[str, Any]) -> None:
         conditions = [*self.conditions, condition] if condition else self.conditions

@@ -15,7 +15,7 @@ from launchlint.extract.cpp.declarations import Class, Declarations, Function
 from launchlint.extract.cpp.foreign import is_silent
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import Names
-from launchlint.extract.cpp.spelled_type import Type, parse_type
+from launchlint.extract.cpp.spelled_type import POINTERS, Type, parse_type
 from launchlint.extract.cpp.tables import Tables
 
 _SKIPPED = re.compile(
@@ -30,13 +30,14 @@ _LOCAL = re.compile(
 _NO_TYPES = frozenset("return else new delete throw case goto typename const using namespace".split())
 _LIBRARIES = frozenset("std boost Eigen cv pcl".split())
 _MEMBERS_OF_CLASSES = ("Ptr", "iterator", "Iterator", "pointer", "reference")
+_OF_POINTERS = frozenset(("reset", "get", "swap", "lock", "release"))
 _NOT_MADE = frozenset(("::", "*", "&", ">"))
 _BY_ANY_MENTION = frozenset(("thread",))
 _SILENT_MEMBERS = frozenset(("NodeHandle", "Publisher", "Subscriber"))
 
 
 class Mention(NamedTuple):
-    """A word of a body, what it is joined to (``.`` or ``::`` and the word before that, where it is one), and what follows.
+    """A word of a body, what it is joined to (``.``, ``->`` or ``::``, and the word before that, where it is one), and what follows.
 
     A word between angle brackets is told once more, joined by ``<`` to the word before them.
     """
@@ -53,7 +54,7 @@ def _mentions(text: str) -> dict[str, tuple[Mention, ...]]:
     found: set[Mention] = set()
     last = ""
     for prefix, word, follow in _MENTION.findall(_SKIPPED.sub(" ", text)):
-        joint = "" if not prefix else "::" if prefix.endswith("::") else "."
+        joint = "" if not prefix else "::" if prefix.endswith("::") else "->" if prefix.endswith("->") else "."
         found.add(Mention(word, joint, last if prefix in ("->", ".", "::") else "", follow))
         if follow[:1] == "<":
             found.update(Mention(each, "<", word, follow[-1]) for each in _WORD.findall(follow))
@@ -103,6 +104,7 @@ class Relevance:
         self._made: set[str] = set()
         self._by_last: dict[str, list[str]] = {}
         self._holders: dict[str, list[Class]] = {}
+        self._fields: dict[str, list[Type]] = {}
         self._derived: dict[str, list[Class]] = {}
         self._aliases: dict[str, list[str]] = {}
         self._handles = {name.rpartition("::")[2] for name, each in declarations.variables.items() if self._is_handle(each.type)}
@@ -114,6 +116,7 @@ class Relevance:
         for declared in self._declarations.classes.values():
             self._by_last.setdefault(declared.name.rpartition("::")[2], []).append(declared.name)
             for field_name, field in declared.fields.items():
+                self._fields.setdefault(field_name, []).append(field.type)
                 if self._is_handle(field.type):
                     self._handles.add(field_name)
                 if not field.pointer:
@@ -259,9 +262,11 @@ class Relevance:
     def _means(self, function: Function, mention: Mention, target: Function) -> bool:
         """Whether a word in a function may stand for the function ``target`` of that name."""
         is_method = bool(target.owner)
-        if mention.joint == ".":
+        if mention.joint in (".", "->"):
             if not mention.before:
                 return True
+            if mention.joint == "." and mention.word in _OF_POINTERS and self._is_pointer(function, mention.before):
+                return False
             if mention.before == "this":
                 return not is_method or self._related(function.owner, target.owner)
             return any(each is None or self._related(each, target.owner) for each in self._class_of(function, mention.before))
@@ -275,6 +280,11 @@ class Relevance:
         if is_method and not mention.joint:
             return "::" in function.name and (not function.owner or self._related(function.owner, target.owner))
         return True
+
+    def _is_pointer(self, function: Function, variable: str) -> bool:
+        """Whether a variable is a smart pointer, by the name of its type: what stands behind its dot is of the pointer itself."""
+        types = self._types_of(function, variable) or self._fields.get(variable, [])
+        return bool(types) and all(each.name in POINTERS or each.last.endswith("Ptr") for each in types)
 
     def _related(self, name: str, owner: str) -> bool:
         """Whether an object of class ``name`` may be of class ``owner``: one of them is derived from the other."""

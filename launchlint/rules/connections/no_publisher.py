@@ -13,7 +13,8 @@ for a private name (`~odom`) that no remap leads anywhere, so that others publis
 publishes such a name, or has the only other loose end of that type. A remap that would join the two stands in another node, where it does
 nothing, or stands there twice. All other nodes of the same program have that name remapped, and meet somebody. The two would meet if one
 of them had no remap. Or both nodes talk to nobody else, and nobody else speaks that type. Nothing is said of the first and the last node
-of a chain, of which one hears and the other says the same type, nor of a node that listens to several private names of which a remap leads
+of a chain, of which one hears and the other says the same type, nor of two that a remap parts where what the one says comes, by way of
+others, of what the other one hears, nor of a node that listens to several private names of which a remap leads
 one somewhere and leaves two or more: it may take any of them.
 
 Where a node of which not everything is known could be the publisher, and nothing says that it is, only what something shows besides is
@@ -25,7 +26,8 @@ text in the sources of such a node has one of the two names.
 Where a node is in another namespace than the nodes it was meant for, or lacks its remaps, so that several of its names are left alone in
 the same way, that is told once, with all of them; services and actions and what is published in vain (LL613, LL614) among them.
 
-It is an info, too, where a remap leads the node below the name of a program of the workspace that is not started here.
+It is an info, too, where a remap leads the node below the name of a program of the workspace that is not started here, and where one leads
+the publisher below a name that no node here has, while an include could not be followed: that node may be one of its nodes.
 Where every file that shows it is included by another one of the workspace that does not, it is an info: what a part lacks when it is
 started alone, the whole may have.
 

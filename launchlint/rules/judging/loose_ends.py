@@ -166,6 +166,10 @@ class LooseEnds:
         if level is Severity.WARNING and shown is None and how in ("", WORDS):  # a program that is not started here may be at the other end
             elsewhere = says(last_part(end), self._view.packages, offers=not offers, besides=_sources(other)) or self._is_of_others(end)
             level = Severity.INFO if elsewhere else level
+        giver = end if offers else other
+        if level is Severity.WARNING and how != SLIP and giver.applied and not self.graph.launch.complete:
+            # It was led below the name of a node that is not started here: by an include that is not here, maybe.
+            level = Severity.INFO if self._namespaces_of_absent(giver.name, taker.name) else level
         if level is Severity.WARNING and shown is not None and doubts and tried(self._view.launch):
             level = Severity.INFO  # not as it is started by default, and then it may be another node's
         if level is None or (level is Severity.INFO and end.declaration.when == "subscriber"):

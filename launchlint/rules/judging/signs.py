@@ -63,8 +63,12 @@ class Signs:
         return self.is_left_private(end) and not (end.role == "subscriber" and end.node in self._choosing)
 
     def parting_remap(self, end: Endpoint, other: Endpoint) -> str:
-        """What it says of the remap of one of the two, and of none of the other, that it parts them; empty where none does."""
-        if bool(end.applied) == bool(other.applied):
+        """What it says of the remap of one of the two, and of none of the other, that it parts them; empty where none does.
+
+        It says nothing where what the giver says comes of what the taker hears: without that remap they are a loop.
+        """
+        giver, taker = (end, other) if end.role in OFFERS else (other, end)
+        if bool(end.applied) == bool(other.applied) or self._leads_to(taker.node, giver.node):
             return ""
         moved, stays = (end, other) if end.applied else (other, end)
         return f"without that remap they meet on {stays.name}" if moved.unremapped == stays.name else ""
@@ -104,6 +108,25 @@ class Signs:
             nodes.update(more)
             waiting += more
         return bool(nodes & wanted) or len(nodes) >= _MOST_NODES
+
+    def _leads_to(self, node: str, other: str) -> bool:
+        """Whether what ``node`` says, or answers, goes to ``other``, by way of others or not."""
+        seen, waiting = {node}, [node]
+        while waiting and len(seen) < _MOST_NODES:
+            more = [each for each in self._taken_by.get(waiting.pop(), ()) if each not in seen]
+            seen.update(more)
+            waiting += more
+        return other in seen or len(seen) >= _MOST_NODES
+
+    @cached_property
+    def _taken_by(self) -> dict[str, dict[str, None]]:
+        """For each node those that hear it or call it. What everybody hears leads nowhere."""
+        found: dict[str, dict[str, None]] = {}
+        for channel in self._graph.channels.values():
+            if not channel.is_hub and not channel.is_plumbing:
+                for giver in channel.offers:
+                    found.setdefault(giver.node, {}).update((taker.node, None) for taker in channel.uses if taker.node != giver.node)
+        return found
 
     @cached_property
     def _choosing(self) -> frozenset[str]:

@@ -252,3 +252,13 @@ def test_plugins_are_a_doubt(tmp_path: Path) -> None:
         (category, "pluginlib::ClassLoader loads plugins, which may have interfaces of their own")
         for category in ("actions", "clients", "params", "publishers", "services", "subscribers")
     }
+
+
+def test_of_what_type_a_param_was_does_not_matter_after_the_program_has_set_it(tmp_path: Path) -> None:
+    source = """
+        int main() { ros::NodeHandle nh; std::map<std::string, std::string> set, read, other;
+          nh.setParam("set", set); nh.getParam("set", read);
+          nh.getParam("other", other); nh.setParam("other", other); }
+        """
+    facts, _ = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == ["params other dict 4", "params set - 3"]

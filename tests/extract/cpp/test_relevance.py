@@ -34,6 +34,13 @@ SOURCES = {
         ),
         {"Map::clear", "A::g"},
     ),
+    "a member of a smart pointer, and of what it points to": (
+        (
+            "struct Map { void reset() { nh.advertise(t); } }; struct A { MapPtr map_; void f() { map_.reset(); } void g() { map_->reset(); } };"
+            " void h(Both both) { both.first.map_.reset(); }"
+        ),
+        {"Map::reset", "A::g"},
+    ),
     "a member of nobody knows what": (
         "struct Map { void clear() { nh.advertise(t); } }; void f() { auto m = all(); m->clear(); } void g() { all()[0].clear(); }",
         {"Map::clear", "f", "g"},
@@ -146,3 +153,28 @@ def test_lines_in_bodies_that_are_read_late(tmp_path: Path) -> None:
     body = syntax.parse(source.encode()).children[0].field("body")
     assert body is not None
     assert [(each.kind, each.line) for each in body.walk()][:3] == [("compound_statement", 1), ("if_statement", 2), ("condition_clause", 2)]
+
+
+def test_a_class_of_another_library_that_is_called_like_one_of_ros() -> None:
+    declarations = Declarations()
+    source = b"void f(const srdf::Model& model) { g(model.groups()); srdf::Model other; } void h() { urdf::Model model; } void k() { Model m; }"
+    declarations.read(syntax.parse(source), "main.cpp")
+    declarations.finish()
+    Relevance(declarations, Names(declarations), ROSCPP, lambda words: set())
+    assert [each.name for found in declarations.functions.values() for each in found if each.relevant] == ["h", "k"]
+
+
+def test_what_stands_before_many_dots_is_followed_once(tmp_path: Path) -> None:
+    dots = ".".join(["first"] * 40)
+    source = f'int main() {{ ros::NodeHandle nh; auto all = other();\nuse(all.{dots}, all.{dots}.value());\nnh.advertise<std_msgs::Bool>("after", 1); }}\n'
+    facts, doubts = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == ["publishers after std_msgs/Bool 3 queue=1"]
+    assert doubts == ()
+
+
+def test_functions_that_have_nothing_to_do_with_names_are_followed_for_a_while(tmp_path: Path) -> None:
+    calls = "\n".join(f"void f{n}() {{ {f'f{n - 1}(); ' * 12} }}" for n in range(1, 8))
+    source = f'void f0() {{ n = 1; }}\n{calls}\nint main() {{ ros::NodeHandle nh; f7();\nnh.advertise<std_msgs::Bool>("after", 1); }}\n'
+    facts, doubts = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == [f"publishers after std_msgs/Bool {source.count(chr(10))} queue=1"]
+    assert doubts == ()

@@ -142,6 +142,13 @@ def get_param(handle: Handle, asked: Call) -> Value:
     return params.into(asked, params.named(handle, asked.value(0)), asked.cell(1), UNKNOWN, True)
 
 
+def set_param(handle: Handle, asked: Call) -> Value:
+    """``setParam(name, value)``: what is read of it from here on is what was set, and no launch file's."""
+    if not asked.machine.conditions:
+        asked.machine.set_here.update(each.template for _, each in choices(params.named(handle, asked.value(0))) if isinstance(each, Text))
+    return UNKNOWN
+
+
 def has_param(handle: Handle, asked: Call) -> Value:
     """``hasParam(name)``."""
     asked.machine.fact("params", params.named(handle, asked.value(0)), asked.node, asked.frame)
@@ -212,6 +219,7 @@ METHODS: dict[str, Does[[Handle, Call], Value]] = {
     "param": param,
     "getParam": get_param,
     "getParamCached": get_param,
+    "setParam": set_param,
     "hasParam": has_param,
     "searchParam": search_param,
     "resolveName": resolve_name,
@@ -222,7 +230,7 @@ METHODS: dict[str, Does[[Handle, Call], Value]] = {
     "createSteadyTimer": timer,
     "get": same,
     **dict.fromkeys(
-        ("setParam", "deleteParam", "setCallbackQueue", "getCallbackQueue", "ok", "shutdown", "getParamNames", "reset", "getRemappings"),
+        ("deleteParam", "setCallbackQueue", "getCallbackQueue", "ok", "shutdown", "getParamNames", "reset", "getRemappings"),
         nothing,
     ),
 }

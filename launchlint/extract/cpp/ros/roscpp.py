@@ -90,7 +90,7 @@ ROSCPP = Tables(
         ).split()
     ),
     spaces=("ros", "image_transport", "dynamic_reconfigure"),
-    owners={},
+    owners={"Model": frozenset(("urdf",))},  # not srdf::Model
     is_handle=_is_handle,
     running=frozenset(("ros::ok()", "nh.ok()", "nh_.ok()", "n.ok()", "node.ok()", "ros::isInitialized()")),
     follow=lambda machine, thing: None,
