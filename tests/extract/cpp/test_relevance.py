@@ -36,8 +36,8 @@ SOURCES = {
     ),
     "a member of a smart pointer, and of what it points to": (
         (
-            "struct Map { void reset() { nh.advertise(t); } }; struct A { MapPtr map_; void f() { map_.reset(); } void g() { map_->reset(); } };"
-            " void h(Both both) { both.first.map_.reset(); }"
+            "struct Map { void reset() { nh.advertise(t); } }; struct A { MapPtr map_; void f() { map_.reset(); }"
+            " void g() { map_->reset(); } }; void h(Both both) { both.first.map_.reset(); }"
         ),
         {"Map::reset", "A::g"},
     ),
@@ -157,7 +157,7 @@ def test_lines_in_bodies_that_are_read_late(tmp_path: Path) -> None:
 
 def test_a_class_of_another_library_that_is_called_like_one_of_ros() -> None:
     declarations = Declarations()
-    source = b"void f(const srdf::Model& model) { g(model.groups()); srdf::Model other; } void h() { urdf::Model model; } void k() { Model m; }"
+    source = b"void f(const srdf::Model& m) { g(m.groups()); srdf::Model n; } void h() { urdf::Model m; } void k() { Model m; }"
     declarations.read(syntax.parse(source), "main.cpp")
     declarations.finish()
     Relevance(declarations, Names(declarations), ROSCPP, lambda words: set())
@@ -166,7 +166,8 @@ def test_a_class_of_another_library_that_is_called_like_one_of_ros() -> None:
 
 def test_what_stands_before_many_dots_is_followed_once(tmp_path: Path) -> None:
     dots = ".".join(["first"] * 40)
-    source = f'int main() {{ ros::NodeHandle nh; auto all = other();\nuse(all.{dots}, all.{dots}.value());\nnh.advertise<std_msgs::Bool>("after", 1); }}\n'
+    used = f"use(all.{dots}, all.{dots}.value());"
+    source = f'int main() {{ ros::NodeHandle nh; auto all = other();\n{used}\nnh.advertise<std_msgs::Bool>("after", 1); }}\n'
     facts, doubts = program(tmp_path, source)
     assert [spelled(fact) for fact in facts] == ["publishers after std_msgs/Bool 3 queue=1"]
     assert doubts == ()
