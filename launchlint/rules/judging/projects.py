@@ -57,7 +57,7 @@ def is_copy(home: Package, packages: Packages) -> bool:
 
 def is_released(home: Package) -> bool:
     """Whether ``home`` is called as a public package, and has a list of changes as a released one has."""
-    return home.name in public_names() and is_file(posixpath.join(home.directory, CHANGES))
+    return _is_released(home.directory, home.name)
 
 
 def is_from_elsewhere(home: Package, packages: Packages) -> bool:
@@ -153,14 +153,25 @@ class _Projects:
             return True
         licensed = not _LICENCES.isdisjoint(each.partition(".")[0].lower() for each in listed)
         manifest = self._manifests.get(directory)
-        return licensed and _has_readme(listed) and (manifest is None or manifest.name in public_names())
+        if not licensed or (manifest is not None and manifest.name not in public_names()):
+            return False
+        return _has_readme(listed) or (manifest is None and self._holds_released(directory))
+
+    def _holds_released(self, directory: str) -> bool:
+        """Whether a package right in ``directory`` was released: nobody makes a list of changes for a mere copy."""
+        inside = ((each, manifest) for each, manifest in self._manifests.items() if posixpath.dirname(each) == directory)
+        return any(_is_released(each, manifest.name) for each, manifest in inside)
+
+
+def _is_released(directory: str, name: str) -> bool:
+    return name in public_names() and is_file(posixpath.join(directory, CHANGES))
 
 
 def _is_of_others(home: Package, packages: Packages) -> bool:
     """Whether ``home`` is named as a public package, and most packages are of others.
 
     That is: they are not public, and at most a few, which came with it, have its people or are from its owner; or several are not public,
-    and none of these is theirs.
+    and none of these is theirs but those beside it.
     """
     if home.manifest is None or home.name not in public_names():
         return False
@@ -168,6 +179,7 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     if not people:
         return False
     own = public = theirs = 0
+    came_along = _is_all_theirs(posixpath.dirname(home.directory), people, packages)
     for each in _everything(packages):
         if each.manifest is None or each.name == home.name:
             continue
@@ -175,9 +187,16 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
             public += 1
         elif people.isdisjoint(each.manifest.people) and origins.isdisjoint(_origins(each.manifest)):
             own += 1
-        else:
+        elif not (came_along and posixpath.dirname(each.directory) == posixpath.dirname(home.directory)):
             theirs += 1
     return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
+
+
+def _is_all_theirs(directory: str, people: frozenset[str], packages: Packages) -> bool:
+    """Whether all packages right in ``directory`` have some of ``people``, and there are others elsewhere: then it came as a whole."""
+    here = [posixpath.dirname(each.directory) == directory for each in _everything(packages)]
+    shared = [each.manifest is None or not people.isdisjoint(each.manifest.people) for each in _everything(packages)]
+    return not all(here) and all(theirs for inside, theirs in zip(here, shared, strict=True) if inside)
 
 
 def _everything(packages: Packages) -> list[Package]:

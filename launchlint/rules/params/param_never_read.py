@@ -268,7 +268,8 @@ def _cause(
     """What several findings share: the file in which all params are private that are not, the slip that was copied, the param."""
     path, default = setting.origin.place.source.path, " as default" * as_default
     if elsewhere is not None:
-        return f"{owner.program} reads others{default}"  # whoever thinks so of one robot thinks so of the next
+        package = owner.program.partition("/")[0]
+        return f"{package} reads others{default}"  # whoever thinks so of one robot, or program, thinks so of the next
     if near is not None and inner.startswith("_"):  # as on a command line, in the whole file
         return f"{path}: {owner.program} _{default}"
     if near is not None:
