@@ -18,7 +18,7 @@ from launchlint.workspace.packages import Packages
 
 PREFIX = "project "
 NOTE = "{} is a copy of a public package, and that is where to mend it"
-NAMED = "{} is called as a public package, other people than here maintain it, and that is where to mend it"
+NAMED = "{} is called as a public package, and says that it is from elsewhere: that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL508", "LL601", "LL623", "LL702"))
@@ -26,7 +26,7 @@ _UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL50
 
 
 class _Origin(NamedTuple):
-    """Whose copy a package is, in words (empty: nobody's); the directory that was copied; whether it certainly is a public package."""
+    """Whose copy a package is, in words (empty: nobody's); the directory that was copied, where that is certain; whether it is public."""
 
     note: str
     directory: str = ""
@@ -47,7 +47,7 @@ def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Find
                 if package.directory not in copies:
                     copies[package.directory] = _origin(package, known.packages)
                 origin = copies[package.directory]
-                if origin.note and (untidy or _is_its_own(finding, origin.directory, known)):
+                if origin.note and (untidy or (origin.directory and _is_its_own(finding, origin.directory, known))):
                     finding = _milder(finding, origin)
         yield finding
 
@@ -93,5 +93,5 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         note = WHOLE.format(package.name, posixpath.basename(project))
         return _Origin(note, project, is_public=is_released(package))
     if is_from_elsewhere(package, packages):
-        return _Origin(NAMED.format(package.name), package.directory)
+        return _Origin(NAMED.format(package.name))
     return _Origin("")

@@ -63,10 +63,13 @@ def is_released(home: Package) -> bool:
 def is_from_elsewhere(home: Package, packages: Packages) -> bool:
     """Whether ``home`` is a public package in a workspace of others that says whose it is; it may be changed here.
 
-    That is: which repository it is from, or by people who are not what ``catkin_create_pkg`` has written.
+    That is: which repository it is from; or which people's, where several others have what ``catkin_create_pkg`` writes.
     """
     manifest = home.manifest
-    return manifest is not None and bool(_origins(manifest) or not _of_template(manifest.people)) and _is_of_others(home, packages)
+    if manifest is None or not _is_of_others(home, packages):
+        return False
+    left_as_made = [each for each in _everything(packages) if each.manifest is not None and _is_left_as_made(each.manifest.people)]
+    return bool(_origins(manifest)) or (not _of_template(manifest.people) and len(left_as_made) >= _SOME)
 
 
 def kept_whole(home: Package, packages: Packages) -> str:
@@ -127,7 +130,7 @@ class _Projects:
     def _left_as_made(self, directory: str) -> int:
         """How many packages outside of ``directory`` have nobody's name but what the template has."""
         outside = (manifest.people for each, manifest in self._manifests.items() if not _is_in(each, directory))
-        return sum(bool(people) and _of_template(people) == people for people in outside)
+        return sum(map(_is_left_as_made, outside))
 
     def _is_in_other(self, package: str, directory: str) -> bool:
         """Whether a directory around the package, and not around ``directory``, looks like the root of a repository."""
@@ -212,6 +215,10 @@ def _mostly_others(manifests: Iterable[Manifest], people: frozenset[str]) -> boo
 
 def _people(manifests: Iterable[Manifest]) -> frozenset[str]:
     return frozenset().union(*(each.people for each in manifests))
+
+
+def _is_left_as_made(people: frozenset[str]) -> bool:
+    return bool(people) and _of_template(people) == people
 
 
 def _of_template(people: frozenset[str]) -> frozenset[str]:
