@@ -17,8 +17,9 @@ from launchlint.check.codec import entry_from_json, entry_to_json, file_from_jso
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult
 from launchlint.check.options import EntryRequest
-from launchlint.check.surroundings import digest
+from launchlint.check.surroundings import Surroundings
 from launchlint.workspace.looking import PART, content_state, state
+from launchlint.workspace.states import Look, Looks, States
 
 if TYPE_CHECKING:
     import sqlite3
@@ -39,11 +40,13 @@ class Cache:
         self._session = checker.session
         self._variables = checker.options.variables
         self._own = checker.own
-        self._states: dict[str, str] = {}
+        self._states = checker.states = States(self._state)
         self._parts: dict[str, str] = {}
+        self._shared: dict[str, bool] = {}
         self._files: dict[str, FileResult | None] = {}
         self._database: sqlite3.Connection | None = None
-        name = digest(checker.options, checker.packages)
+        self._surroundings = Surroundings(checker.options, checker.packages)
+        name = self._surroundings.name
         try:
             if name is not None:
                 self._database = self._open(directory, f"{name}.sqlite")
@@ -62,6 +65,7 @@ class Cache:
             database.execute("CREATE TABLE IF NOT EXISTS entries (key TEXT PRIMARY KEY, value TEXT)")
             database.execute("CREATE TABLE IF NOT EXISTS files (path TEXT PRIMARY KEY, value TEXT)")
             database.execute("CREATE TABLE IF NOT EXISTS parts (path TEXT PRIMARY KEY, value TEXT)")
+            database.execute("CREATE TABLE IF NOT EXISTS shared (name TEXT PRIMARY KEY, value TEXT)")
         except sqlite3.DatabaseError as error:
             database.close()
             if isinstance(error, sqlite3.OperationalError):
@@ -80,10 +84,10 @@ class Cache:
         if value is None or not _is_plain(request):
             return None
         try:
-            dependencies, variables, looks, programs, names, entry = value
+            dependencies, variables, looks, shared, programs, names, entry = value
             if any(self._variables.get(name) != text for name, text in variables):
                 return None
-            if any(self._session.read(path).digest != known for path, known in dependencies) or not self._holds(looks):
+            if any(self._session.read(path).digest != known for path, known in dependencies) or not self._holds(looks, shared):
                 return None
             own = self._own
             if any(own is None or own.of(ware).digest((package, table, name)) != known for ware, package, table, name, known in programs):
@@ -112,21 +116,26 @@ class Cache:
             self._files[key] = None
             value = self._row("SELECT value FROM files WHERE path = ?", key)
             if value is not None:
-                known, result = value[0], file_from_json(value[1])
-                if self._session.read(os.path.join(self._session.root, result.path)).digest == known and self._holds(result.looks):
+                known, looks, shared, told = value
+                result = file_from_json(told)
+                if self._session.read(os.path.join(self._session.root, result.path)).digest == known and self._holds(looks, shared):
                     self._files[key] = result
         return self._files[key]
 
-    def _holds(self, looks: Iterable[tuple[str, str]]) -> bool:
-        for path, known in looks:
-            if path not in self._states:
-                self._states[path] = self._part(path) if PART in path else state(path)
-            if self._states[path] != known:
-                return False
-        return True
+    def _holds(self, looks: Iterable[Look], shared: Iterable[str]) -> bool:
+        """Whether all is as it was, where one result looked around, and where it did together with others."""
+        return all(map(self._shared_holds, shared)) and all(self._states.of(path) == known for path, known in looks)
 
-    def _part(self, path: str) -> str:
-        """The state of a part of a text, which takes time to find: kept with the content of the whole text, and found anew with another."""
+    def _shared_holds(self, name: str) -> bool:
+        if name not in self._shared:
+            looks = self._row("SELECT value FROM shared WHERE name = ?", name)
+            self._shared[name] = looks is not None and self._holds(looks, ())
+        return self._shared[name]
+
+    def _state(self, path: str) -> str:
+        """That of a part of a text takes time to find: it is kept with the content of the whole text, and found anew with another."""
+        if PART not in path:
+            return content_state(path) or state(path)
         content = content_state(path.partition(PART)[0])
         kept = self._row("SELECT value FROM parts WHERE path = ?", path)
         if content and kept is not None and kept[0] == content:
@@ -142,6 +151,14 @@ class Cache:
             return
         entries: list[tuple[str, str]] = []
         files: dict[str, str] = {}
+        shared: dict[str, str] = {}
+
+        def names_of(looks: Looks) -> list[str]:
+            for each in looks.shared:
+                if each.name not in shared:
+                    shared[each.name] = _sealed(each.name, self._unsaid(each.looks))
+            return [each.name for each in looks.shared]
+
         try:
             for result in results:
                 if not _is_plain(result.request) or _has_crashed(result):
@@ -150,15 +167,27 @@ class Cache:
                 for file in result.files:
                     if file.key not in files:
                         content = digests[os.path.abspath(os.path.join(self._session.root, file.path))]
-                        files[file.key] = _sealed(file.key, [content, file_to_json(file)])
+                        files[file.key] = _sealed(
+                            file.key, [content, self._unsaid(file.looks.own), names_of(file.looks), file_to_json(file)]
+                        )
                 names = [file.key for file in result.files]
-                value = [result.dependencies, result.variables, result.looks, result.programs, names, entry_to_json(result)]
+                looks = result.looks
+                around = [self._unsaid(looks.own), names_of(looks)]
+                value = [result.dependencies, result.variables, *around, result.programs, names, entry_to_json(result)]
                 entries.append((_key(result.request), _sealed(_key(result.request), value)))
             with self._database:
+                self._database.executemany(
+                    "DELETE FROM shared WHERE name = ?", [(name,) for name, holds in self._shared.items() if not holds]
+                )
+                self._database.executemany("INSERT OR REPLACE INTO shared VALUES (?, ?)", shared.items())
                 self._database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?)", entries)
                 self._database.executemany("INSERT OR REPLACE INTO files VALUES (?, ?)", files.items())
         except self._error:
             return
+
+    def _unsaid(self, looks: Iterable[Look]) -> list[Look]:
+        """The looks of which the name of the database says nothing."""
+        return [look for look in looks if not self._surroundings.say(*look)]
 
     def close(self) -> None:
         """Keep what was found of parts of texts, and close the database."""

@@ -20,7 +20,7 @@ from launchlint.verdict import Refusal, Verdict
 
 
 def file_to_json(result: FileResult) -> list[Any]:
-    """A file's result as JSON values."""
+    """A file's result as JSON values; where it looked around is left out."""
     suppressions = [
         [
             list(item.location),
@@ -34,12 +34,12 @@ def file_to_json(result: FileResult) -> list[Any]:
         for item in result.suppressions
     ]  # fmt: skip
     findings = [[_finding_to_json(finding), guard] for finding, guard in result.findings]
-    return [result.path, findings, suppressions, result.root, result.looks, result.dialect, result.launches]
+    return [result.path, findings, suppressions, result.root, result.dialect, result.launches]
 
 
 def file_from_json(value: Any) -> FileResult:
     """The inverse of :func:`file_to_json`. Raises TypeError, ValueError or KeyError for anything else."""
-    path, findings, suppressions, root, looks, dialect, launches = value
+    path, findings, suppressions, root, dialect, launches = value
     return FileResult(
         path,
         tuple(Guarded(_finding_from_json(finding), guard) for finding, guard in findings),
@@ -56,9 +56,8 @@ def file_from_json(value: Any) -> FileResult:
             for location, rules, names, covers, reason, problem, removal in suppressions
         ),
         None if root is None else Location(*root),
-        tuple((name, state) for name, state in looks),
-        dialect,
-        launches,
+        dialect=dialect,
+        launches=launches,
     )
 
 

@@ -28,8 +28,9 @@ from launchlint.sight import NOTHING, Followed, Sight, once, reason_beside, shor
 from launchlint.source import Source
 from launchlint.syntax.tree import Document
 from launchlint.verdict import LOADS, Verdict
-from launchlint.workspace.looking import note, noted, state
+from launchlint.workspace.looking import Looked, note, noted
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.states import NOWHERE, Looks, States
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -53,9 +54,8 @@ class EntryResult(NamedTuple):
     ``verdict`` says what its launcher does with it here and now, ``ok``, ``error`` or, where that cannot be told, ``unknown``; ``outcome``
     is what people are told of that.
     For the cache: ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none,
-    ``variables`` the environment variables it read, ``looks`` the paths at which rules looked around, with their state
-    (:func:`launchlint.workspace.looking.state`), ``programs`` those whose sources were asked for: middleware, key, digest. ``sight`` says
-    how many of the nodes that it starts are known.
+    ``variables`` the environment variables it read, ``looks`` where rules looked around, and what there was, ``programs`` those whose
+    sources were asked for: middleware, key, digest. ``sight`` says how many of the nodes that it starts are known.
     """
 
     request: EntryRequest
@@ -70,7 +70,7 @@ class EntryResult(NamedTuple):
     configurations: int
     dependencies: tuple[tuple[str, str], ...] = ()
     variables: tuple[tuple[str, str | None], ...] = ()
-    looks: tuple[tuple[str, str], ...] = ()
+    looks: Looks = NOWHERE
     outcome: Verdict = LOADS
     programs: tuple[tuple[str, str, str, str, str], ...] = ()
     sight: Sight = NOTHING
@@ -88,7 +88,7 @@ MOST_REASONS = 20
 class EntryChecker:
     """Checks entry files one after another, sharing parsed files and evaluated blocks.
 
-    ``remember``: results also say what they depend on, so that they can be kept.
+    ``remember``: results also say what they depend on, so that they can be kept; ``states`` are what there was on disk.
     """
 
     def __init__(self, options: Options, overlay: Mapping[str, bytes] | None = None, *, remember: bool = False) -> None:
@@ -99,6 +99,7 @@ class EntryChecker:
         self.rules: tuple[Entry, ...] = tuple(rule for rule in RULES if rule.id in options.rules)
         self.launch_rules = tuple(rule for rule in self.rules if rule.view == "launch")
         self.graph_rules = tuple(rule for rule in self.rules if rule.view == "graph")
+        self.states = States()
         self._files: dict[str, FileResult] = {}
         self._sights: list[Sight] = []
         self._earlier: Earlier | None = None
@@ -204,11 +205,10 @@ class EntryChecker:
         result = so_far(first)
         if not self.remember:
             return result
-        looks = dict(look for file in result.files for look in file.looks) | {path: state(path) for path in noted()}
         return result._replace(
             dependencies=tuple((name, session.read(name).digest) for name in sorted(session.touched)),
             variables=tuple((name, session.environment.get(name)) for name in sorted(session.variables)),
-            looks=tuple(sorted(looks.items())),
+            looks=self.states.looks(noted(), (file.looks for file in result.files)),
             programs=() if self.own is None else self._asked(self.own),
         )
 
@@ -265,11 +265,11 @@ class EntryChecker:
         key = f"{dialect} {path}"
         if shared and key in self._files:
             return self._files[key]
-        before = noted() if self.remember else ()
+        before = noted() if self.remember else Looked(frozenset())
         named_by = "" if dialect == ROS1 else session.named_by
         result = check_file(FileView(document, self.packages, self.options.style, named(dialect), named_by), self.rules)
         if self.remember:
-            result = result._replace(looks=tuple((path, state(path)) for path in sorted(noted())))
+            result = result._replace(looks=self.states.looks(noted()))
             note(before)
         if shared:
             self._files[key] = result

@@ -15,6 +15,7 @@ from launchlint.rules.view import FileView, LaunchView
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.other_ros import left_over
+from launchlint.workspace.states import NOWHERE, Looks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ class FileResult(NamedTuple):
     findings: tuple[Guarded, ...]
     suppressions: tuple[Suppression, ...]
     root: Location | None
-    looks: tuple[tuple[str, str], ...] = ()
+    looks: Looks = NOWHERE
     dialect: DialectName = ROS1
     launches: bool = True
 

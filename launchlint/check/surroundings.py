@@ -15,10 +15,11 @@ from typing import Any
 
 from launchlint import __version__
 from launchlint.check.options import Options
+from launchlint.workspace.looking import directory_state
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
 from launchlint.workspace.source_lists import is_source_list
 
-FORMAT = 9
+FORMAT = 10
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""
@@ -34,19 +35,105 @@ class _TooMany(Exception):
     """There are more than :data:`MOST_FILES` files."""
 
 
-def digest(options: Options, packages: Packages) -> str | None:
-    """Equal for equal surroundings, in hexadecimal; None where there are too many files to tell."""
-    found = hashlib.sha256(_settings(options).encode("utf-8", "surrogateescape"))
-    for library in options.library:
-        found.update(_content(library).encode())
-    for own in _own_code():
-        found.update(own)
-    try:
-        for line in _files(packages):
-            found.update(line.encode("utf-8", "surrogateescape"))
-    except _TooMany:
-        return None
-    return found.hexdigest()[:40]
+class Surroundings:
+    """What was there. ``name`` is equal for equal surroundings, in hexadecimal; None where there are too many files to tell."""
+
+    def __init__(self, options: Options, packages: Packages) -> None:
+        self._listings: dict[str, tuple[str, ...]] = {}
+        self._contents: dict[str, str] = {}
+        self._said: dict[tuple[str, str], bool] = {}
+        self.name = self._digest(options, packages)
+
+    def say(self, path: str, state: str) -> bool:
+        """Whether the name already says that this is the state (:func:`launchlint.workspace.looking.state`) of an absolute path."""
+        key = path, state
+        known = self._said.get(key)
+        if known is None:
+            known = self._said[key] = self._says(path, state)
+        return known
+
+    def _says(self, path: str, state: str) -> bool:
+        if not state:
+            directory, _, name = path.rpartition(os.sep)
+            return directory in self._listings and name not in self._listings[directory]
+        if path in self._listings:
+            return state == directory_state(self._listings[path])
+        return path in self._contents and state == f"file {self._contents[path]}"
+
+    def _digest(self, options: Options, packages: Packages) -> str | None:
+        found = hashlib.sha256(_settings(options).encode("utf-8", "surrogateescape"))
+        for library in options.library:
+            found.update(_content(library).encode())
+        for own in _own_code():
+            found.update(own)
+        try:
+            for line in self._files(packages):
+                found.update(line.encode("utf-8", "surrogateescape"))
+        except _TooMany:
+            return None
+        return found.hexdigest()[:40]
+
+    def _files(self, packages: Packages) -> Iterator[str]:
+        """One line for each file of the workspaces, of packages elsewhere, and of what is built or installed of all packages."""
+        seen: set[tuple[int, int]] = set()
+        left = [MOST_FILES]
+        for workspace in packages.workspaces:
+            yield from self._tree(workspace, seen, left)
+        for place in packages.places:
+            for package in place.everything:
+                yield f"{package.name}\0{package.directory}\0{package.broken}\n"
+                yield from self._tree(package.directory, seen, left)
+        prefixes = [prefix.path for prefix in packages.prefixes]
+        if os.path.isdir(DEBIAN_CATKIN):
+            prefixes.append("/usr")
+        for prefix in packages.prefixes:
+            yield f"{prefix.path}\0{prefix.is_catkin}\0{prefix.is_ros}\0{prefix.sources()}\n"
+        for name in packages.names():
+            for prefix_path in prefixes:
+                for part in ("share", "lib", "libexec"):
+                    yield from self._tree(os.path.join(prefix_path, part, name), seen, left)
+
+    def _tree(self, root: str, seen: set[tuple[int, int]], left: list[int]) -> Iterator[str]:
+        """All below ``root``, links followed, each directory once; hidden directories are looked into by nobody."""
+        try:
+            status = os.stat(root)
+        except OSError:
+            return
+        waiting = [root] if stat.S_ISDIR(status.st_mode) and _is_new(status, seen) else []
+        while waiting:
+            directory = waiting.pop()
+            yield f"{directory}\n"
+            try:
+                with os.scandir(directory) as scan:
+                    entries = sorted(scan, key=lambda entry: entry.name)
+            except OSError as error:
+                yield f"{error.errno}\n"
+                continue
+            left[0] -= len(entries)
+            if left[0] < 0:
+                raise _TooMany
+            self._listings[directory] = tuple(entry.name for entry in entries)
+            yield from self._entries(entries, waiting, seen)
+
+    def _entries(self, entries: Iterable[os.DirEntry[str]], waiting: list[str], seen: set[tuple[int, int]]) -> Iterator[str]:
+        for entry in entries:
+            name = entry.name
+            target = content = ""
+            try:
+                if entry.is_symlink():
+                    target = os.readlink(entry.path)
+                status = entry.stat()
+            except OSError as error:
+                yield f"{name}\0{target}\0{error.errno}\n"
+                continue
+            if stat.S_ISDIR(status.st_mode):
+                yield f"{name}/\0{target}\n"
+                if name[0] != "." and _is_new(status, seen):
+                    waiting.append(entry.path)
+            else:
+                if _counts(name):
+                    content = self._contents[entry.path] = _content(entry.path)
+                yield f"{name}\0{target}\0{status.st_mode}\0{content}\n"
 
 
 def _settings(options: Options) -> str:
@@ -75,68 +162,6 @@ def _own_code() -> Iterator[bytes]:
         if os.path.isfile(yaml):
             yield _content(yaml).encode()
             return
-
-
-def _files(packages: Packages) -> Iterator[str]:
-    """One line for each file of the workspaces, of packages elsewhere, and of what is built or installed of all packages."""
-    seen: set[tuple[int, int]] = set()
-    left = [MOST_FILES]
-    for workspace in packages.workspaces:
-        yield from _tree(workspace, seen, left)
-    for place in packages.places:
-        for package in place.everything:
-            yield f"{package.name}\0{package.directory}\0{package.broken}\n"
-            yield from _tree(package.directory, seen, left)
-    prefixes = [prefix.path for prefix in packages.prefixes]
-    if os.path.isdir(DEBIAN_CATKIN):
-        prefixes.append("/usr")
-    for prefix in packages.prefixes:
-        yield f"{prefix.path}\0{prefix.is_catkin}\0{prefix.is_ros}\0{prefix.sources()}\n"
-    for name in packages.names():
-        for prefix_path in prefixes:
-            for part in ("share", "lib", "libexec"):
-                yield from _tree(os.path.join(prefix_path, part, name), seen, left)
-
-
-def _tree(root: str, seen: set[tuple[int, int]], left: list[int]) -> Iterator[str]:
-    """All below ``root``, links followed, each directory once; hidden directories are looked into by nobody."""
-    try:
-        status = os.stat(root)
-    except OSError:
-        return
-    waiting = [root] if stat.S_ISDIR(status.st_mode) and _is_new(status, seen) else []
-    while waiting:
-        directory = waiting.pop()
-        yield f"{directory}\n"
-        try:
-            with os.scandir(directory) as scan:
-                entries = sorted(scan, key=lambda entry: entry.name)
-        except OSError as error:
-            yield f"{error.errno}\n"
-            continue
-        left[0] -= len(entries)
-        if left[0] < 0:
-            raise _TooMany
-        yield from _entries(entries, waiting, seen)
-
-
-def _entries(entries: Iterable[os.DirEntry[str]], waiting: list[str], seen: set[tuple[int, int]]) -> Iterator[str]:
-    for entry in entries:
-        name = entry.name
-        target = ""
-        try:
-            if entry.is_symlink():
-                target = os.readlink(entry.path)
-            status = entry.stat()
-        except OSError as error:
-            yield f"{name}\0{target}\0{error.errno}\n"
-            continue
-        if stat.S_ISDIR(status.st_mode):
-            yield f"{name}/\0{target}\n"
-            if name[0] != "." and _is_new(status, seen):
-                waiting.append(entry.path)
-        else:
-            yield f"{name}\0{target}\0{status.st_mode}\0{_content(entry.path) if _counts(name) else ''}\n"
 
 
 def _counts(name: str) -> bool:

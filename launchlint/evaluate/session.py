@@ -12,7 +12,7 @@ from launchlint.evaluate.by_text import ByText
 from launchlint.source import Source, Span
 from launchlint.syntax.parse import parse
 from launchlint.workspace.discovery import holds_python
-from launchlint.workspace.looking import exists, note, watched
+from launchlint.workspace.looking import Looked, exists, note, watched
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.ros2_distributions import Meant, distribution
 
@@ -90,10 +90,10 @@ class Session:
         self.asked_distro = distro
         self.fresh: Callable[[Session, str], LiveContext] | None = None
         self.checkpoint: Callable[[], None] = _go_on
-        self._meant: tuple[Meant, frozenset[str]] | None = None
+        self._meant: tuple[Meant, Looked] | None = None
         self.arguments: tuple[tuple[str, str], ...] = ()
         self._asking: set[str] = set()
-        self._in_python: dict[tuple[str, tuple[tuple[str, str], ...]], tuple[Reading | None, frozenset[str], frozenset[str]]] = {}
+        self._in_python: dict[tuple[str, tuple[tuple[str, str], ...]], tuple[Reading | None, Looked, frozenset[str]]] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}

@@ -31,7 +31,7 @@ class AmentPackage(PackageReader):
 
     def __init__(self, package: Package, origin: Origin, workspace: Workspace) -> None:
         super().__init__(package, origin, workspace)
-        self._read_installed: tuple[Installed, frozenset[str]] | None = None
+        self._read_installed: tuple[Installed, looking.Looked] | None = None
 
     @property
     def complete(self) -> bool:

@@ -51,7 +51,7 @@ class ProgramReader:
         reading, looked_at = watched(lambda: _read(task, self))
         for variant in () if reading.program is None else reading.program["variants"].values():
             if "open" in variant or any(ANY in entry["name"] for category in CATEGORIES for entry in variant.get(category, ())):
-                found = literals(path for path in looked_at if os.path.splitext(path)[1] in SOURCE_ENDS)
+                found = literals(path for path in looked_at.all() if os.path.splitext(path)[1] in SOURCE_ENDS)
                 variant.update({"literals": found} if found else {})
         return reading
 

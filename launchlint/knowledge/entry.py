@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from launchlint.workspace.looking import content_state, state
+from launchlint.workspace.states import Look, States
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ class Known(NamedTuple):
 
     program: Mapping[str, Any] | None
     reason: str
-    looks: tuple[tuple[str, str], ...]
+    looks: tuple[Look, ...]
 
     @property
     def digest(self) -> str:
@@ -34,27 +34,16 @@ class Known(NamedTuple):
         return hashlib.sha1(repr(self.looks).encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
-class States:
-    """What there is on disk, each path looked at once."""
+def hold(looks: Iterable[Look], root: str, states: States) -> bool:
+    """Whether all is as it was; ``looks`` are relative to ``root``."""
+    return all(states.of(os.path.normpath(os.path.join(root, path))) == known for path, known in looks)
 
-    def __init__(self) -> None:
-        self._known: dict[str, str] = {}
 
-    def of(self, path: str) -> str:
-        """The state of an absolute path."""
-        if path not in self._known:
-            self._known[path] = content_state(path) or state(path)
-        return self._known[path]
-
-    def hold(self, looks: Iterable[tuple[str, str]], root: str) -> bool:
-        """Whether all is as it was."""
-        return all(self.of(os.path.normpath(os.path.join(root, path))) == known for path, known in looks)
-
-    def all_of(self, paths: Iterable[str], root: str) -> tuple[tuple[str, str], ...]:
-        """The looks that stand for ``paths``: for what is not there, the names in the directory that it would be in."""
-        found: set[str] = set()
-        for path in paths:
-            while not path.endswith("**") and not os.path.lexists(path) and path != os.path.dirname(path):
-                path = os.path.dirname(path)
-            found.add(path)
-        return tuple(sorted((os.path.relpath(path, root), self.of(path)) for path in found))
+def looks_at(paths: Iterable[str], root: str, states: States) -> tuple[Look, ...]:
+    """The looks that stand for ``paths``: for what is not there, the names in the directory that it would be in."""
+    found: set[str] = set()
+    for path in paths:
+        while not path.endswith("**") and not os.path.lexists(path) and path != os.path.dirname(path):
+            path = os.path.dirname(path)
+        found.add(path)
+    return tuple(sorted((os.path.relpath(path, root), states.of(path)) for path in found))

@@ -6,8 +6,9 @@ import hashlib
 import os
 
 from launchlint.knowledge.code import code_digest
-from launchlint.knowledge.entry import Key, Known, States
+from launchlint.knowledge.entry import Key, Known, hold
 from launchlint.knowledge.store import Store
+from launchlint.workspace.states import States
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ class Programs:
     def known(self, key: Key, home: Home) -> Known:
         """What the sources of a program of the package at ``home`` say."""
         if key not in self._known:
-            self._known[key] = self._kept(key, home) or self._read_once(key, home)
+            self._known[key] = self._without_reading(key, home) or self._read_once(key, home)
         return self._known[key]
 
     def take(self, key: Key, known: Known) -> None:
@@ -49,20 +50,24 @@ class Programs:
 
     def digest(self, key: Key, home: Home) -> str:
         """As :meth:`launchlint.knowledge.own.OwnSources.digest`."""
-        known = self._known.get(key) or self._kept(key, home)
+        known = self._known.get(key) or self._without_reading(key, home)
         if known is None:
             return ""
         self._known[key] = known
         return known.digest
 
+    def _without_reading(self, key: Key, home: Home) -> Known | None:
+        """What is known of a program without its sources: that nobody can say which package is meant, or what is kept."""
+        if home.copies > 1:
+            return Known(None, f"{home.copies} packages of the workspace are called {key[0]}", ())
+        return self._kept(key, home)
+
     def _kept(self, key: Key, home: Home) -> Known | None:
         """What is kept of a program, if it is still true."""
         kept = self._store.get(self._name(key, home))
-        return kept if kept is not None and self._states.hold(kept.looks, home.root) else None
+        return kept if kept is not None and hold(kept.looks, home.root, self._states) else None
 
     def _read_once(self, key: Key, home: Home) -> Known:
-        if home.copies > 1:
-            return Known(None, f"{home.copies} packages of the workspace are called {key[0]}", ())
         name = self._name(key, home)
         with self._store.alone(name):
             kept = self._kept(key, home)

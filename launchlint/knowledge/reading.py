@@ -12,11 +12,12 @@ from launchlint.extract.plan import reader_of
 from launchlint.extract.reading import ProgramReader
 from launchlint.extract.task import Task
 from launchlint.knowledge.checked import checked
-from launchlint.knowledge.entry import Key, Known, States
+from launchlint.knowledge.entry import Key, Known, looks_at
 from launchlint.model import ROS1, ROS2
 from launchlint.workspace import looking
 from launchlint.workspace.package import Package
 from launchlint.workspace.reading import stand_ins, standing_in
+from launchlint.workspace.states import States
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,13 +34,13 @@ class SourceReader:
         self._workspace = Workspace(listed, limits)
         self._programs = ProgramReader({package.directory: package.name for package in listed})
         self._states = states
-        self._readers: dict[str, tuple[PackageReader, frozenset[str]]] = {}
+        self._readers: dict[str, tuple[PackageReader, looking.Looked]] = {}
 
     def read(self, key: Key, package: Package, root: str) -> Known:
         """What the sources of ``package`` say of a program of it. Never raises; paths are told relative to ``root``."""
         (program, reason), looked = _in_own_thread(lambda: looking.watched(lambda: self._read(key, package, root)))
         looking.note(looked)
-        return Known(program, reason, self._states.all_of(looked, root))
+        return Known(program, reason, looks_at(looked.all(), root, self._states))
 
     def _read(self, key: Key, package: Package, root: str) -> tuple[Mapping[str, Any] | None, str]:
         try:

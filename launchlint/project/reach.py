@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.options import EntryRequest
-from launchlint.workspace.looking import ALL_BELOW, state
-from launchlint.workspace.texts import parts_of
+from launchlint.workspace.looking import state
+from launchlint.workspace.states import Looks, Shared, places_of
 
 
 class _Known(NamedTuple):
     """What is kept of one entry file, to be taken out again."""
 
     read: tuple[str, ...]
-    looks: tuple[tuple[str, str], ...]
+    looks: Looks
     told: frozenset[str]
 
 
@@ -26,7 +25,8 @@ class Reach:
     def __init__(self) -> None:
         self._known: dict[EntryRequest, _Known] = {}
         self._read: dict[str, dict[EntryRequest, None]] = {}
-        self._looks: dict[str, dict[EntryRequest, str]] = {}
+        self._looks: dict[str, dict[EntryRequest | Shared, str]] = {}
+        self._sharing: dict[Shared, dict[EntryRequest, None]] = {}
         self._told: dict[str, dict[EntryRequest, None]] = {}
 
     def put(self, request: EntryRequest, result: EntryResult, *others: EntryResult) -> None:
@@ -36,8 +36,13 @@ class Reach:
         known = self._known[request] = _Known(read, result.looks, frozenset(_paths(result)))
         for file in read:
             self._read.setdefault(file, {})[request] = None
-        for path, seen in known.looks:
+        for path, seen in known.looks.own:
             self._looks.setdefault(path, {})[request] = seen
+        for shared in known.looks.shared:
+            if shared not in self._sharing:
+                for path, seen in shared.looks:
+                    self._looks.setdefault(path, {})[shared] = seen
+            self._sharing.setdefault(shared, {})[request] = None
         for shown in known.told:
             self._told.setdefault(shown, {})[request] = None
 
@@ -47,8 +52,14 @@ class Reach:
         if known is not None:
             for file in known.read:
                 self._read[file].pop(request, None)
-            for path, _ in known.looks:
+            for path, _ in known.looks.own:
                 self._looks[path].pop(request, None)
+            for shared in known.looks.shared:
+                self._sharing[shared].pop(request, None)
+                if not self._sharing[shared]:
+                    del self._sharing[shared]
+                    for path, _ in shared.looks:
+                        self._looks[path].pop(shared, None)
             for shown in known.told:
                 self._told[shown].pop(request, None)
 
@@ -66,22 +77,14 @@ class Reach:
 
         ``listed``: they may also have been made or removed.
         """
-        places = {place for file in files for place in (file, *parts_of(file))}
-        if listed:
-            for file in files:
-                directory = os.path.dirname(file)
-                places.add(directory)
-                while True:
-                    places.add(os.path.join(directory, ALL_BELOW))
-                    if directory == os.path.dirname(directory):
-                        break
-                    directory = os.path.dirname(directory)
         found: set[EntryRequest] = set()
-        for place in places:
+        for place in places_of(files, listed=listed):
             lookers = self._looks.get(place)
             if lookers:
                 now = state(place)
-                found.update(request for request, seen in lookers.items() if seen != now)
+                for looker, seen in lookers.items():
+                    if seen != now:
+                        found.update(self._sharing[looker] if isinstance(looker, Shared) else (looker,))
         return found
 
 

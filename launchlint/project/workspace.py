@@ -34,6 +34,7 @@ from launchlint.workspace.discovery import is_launch_text, may_be_launch_file
 from launchlint.workspace.looking import unnoted
 from launchlint.workspace.reading import standing_in
 from launchlint.workspace.source_lists import is_source_list
+from launchlint.workspace.states import places_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -181,6 +182,7 @@ class OpenWorkspace:
             self._wait_all()
             return
         before = [self.checker.packages.described_by(file) for file in manifests]
+        self.checker.states.forget(places_of(changed, listed=on_disk))
         with self._looking():
             again = set(self._reach.reading(changed))
             seen = self._reach.seeing(changed, listed=on_disk)

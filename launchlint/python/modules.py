@@ -29,11 +29,11 @@ class ModuleFinder:
     def __init__(self, packages: Mapping[str, str], generated: frozenset[str] = frozenset()) -> None:
         self.packages = dict(packages)
         self._generated = generated
-        self._roots: dict[str, tuple[tuple[tuple[str, str], ...], frozenset[str]]] = {}
+        self._roots: dict[str, tuple[tuple[tuple[str, str], ...], looking.Looked]] = {}
         self._real: dict[str, str] = {}
-        self._asked: dict[tuple[str, str, str], tuple[str | None, frozenset[str]]] = {}
+        self._asked: dict[tuple[str, str, str], tuple[str | None, looking.Looked]] = {}
         self._names: dict[str, tuple[frozenset[str] | None, frozenset[str]]] = {}
-        self._found: dict[tuple[str, str], tuple[str | None, frozenset[str]]] = {}
+        self._found: dict[tuple[str, str], tuple[str | None, looking.Looked]] = {}
         self._parsed: dict[str, tuple[object, Source | SourceError]] = {}
 
     def find(self, name: str, beside: str, package: str) -> str | None:
@@ -127,8 +127,8 @@ class ModuleFinder:
         if root not in self._names:
             names = looking.names(root)
             self._names[root] = (frozenset(names) if len(names) < looking.MOST_NAMES else None, frozenset((os.path.abspath(root),)))
-        there, looked = self._names[root]
-        looking.note(looked)
+        there, place = self._names[root]
+        looking.note(place)
         first = relative.partition(os.sep)[0]
         if relative and there is not None and first not in there and f"{first}.py" not in there:
             return None

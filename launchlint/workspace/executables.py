@@ -16,7 +16,7 @@ from launchlint.workspace.cmake_made import Made
 from launchlint.workspace.cmake_taking import matches, takes
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
 from launchlint.workspace.listing import files_of
-from launchlint.workspace.looking import note, start, walk, watched
+from launchlint.workspace.looking import Looked, note, start, walk, watched
 from launchlint.workspace.manifest import PACKAGE_FILE
 from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
 from launchlint.workspace.package import Package
@@ -209,7 +209,7 @@ class ExecutableIndex:
         self._having: Mapping[str, Sequence[str]] | None = None
         self._installs: dict[str, InstalledFiles] = {}
         self._made: dict[str, Made] = {}
-        self._walked: dict[str, tuple[Sequence[tuple[str, Sequence[str]]], frozenset[str]]] = {}
+        self._walked: dict[str, tuple[Sequence[tuple[str, Sequence[str]]], Looked]] = {}
 
     def executables(self, package: Package) -> Executables:
         """What ``package`` can run."""

@@ -9,7 +9,7 @@ import os
 from _thread import _local
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 MOST_NAMES = 2_000
 """Directory entries that are looked at: a directory may be of any size, and all of this is only for hints."""
@@ -17,6 +17,7 @@ MOST_NAMES = 2_000
 LARGEST_FILE = 1 << 20
 """Bytes: as :data:`launchlint.workspace.reading.LARGEST_FILE`."""
 _MANY = 50
+"""So many paths, of which all is noted by whoever hangs on one, are one thing."""
 ALL_BELOW = "**"
 _OF_NPM = "node_modules"
 _PYTHON_ENVIRONMENT = "pyvenv.cfg"
@@ -26,36 +27,57 @@ PART = "//"
 T = TypeVar("T")
 
 
-class _Looked(set[str]):
-    """What was looked at. ``wholes`` are large sets of which all has been added, by identity: a whole workspace is noted often."""
+class Looked(NamedTuple):
+    """What was looked at, absolute: some ``paths``, and ``wholes``, large sets that others looked at, too (a whole workspace).
+
+    A whole is the same object for all who looked at it, and is never copied: with a set of its own for each of them, what is kept of a
+    workspace would grow with the square of it.
+    """
+
+    paths: frozenset[str]
+    wholes: tuple[frozenset[str], ...] = ()
+
+    def all(self) -> Iterator[str]:
+        """Each path, some perhaps several times."""
+        for several in (self.paths, *self.wholes):
+            yield from several
+
+
+class _Account:
+    """What one piece of work looked at; ``wholes`` by identity."""
 
     def __init__(self) -> None:
-        super().__init__()
+        self.paths: set[str] = set()
         self.wholes: dict[int, frozenset[str]] = {}
 
-    def update(self, *several: Iterable[str]) -> None:
-        """Add what is in ``several``."""
-        for paths in several:
-            if not isinstance(paths, frozenset) or len(paths) < _MANY:
-                super().update(paths)
-            elif id(paths) not in self.wholes:
-                super().update(paths)
-                self.wholes[id(paths)] = paths
+    def add(self, path: str) -> None:
+        """Add one path."""
+        self.paths.add(path)
 
-    def clear(self) -> None:
-        """Forget all."""
-        super().clear()
-        self.wholes.clear()
+    def update(self, looked: Looked | Iterable[str]) -> None:
+        """Add all that was looked at."""
+        if isinstance(looked, Looked):
+            self.update(looked.paths)
+            for whole in looked.wholes:
+                self.wholes[id(whole)] = whole
+        elif isinstance(looked, frozenset) and len(looked) >= _MANY:
+            self.wholes[id(looked)] = looked
+        else:
+            self.paths.update(looked)
+
+    def looked(self) -> Looked:
+        """All of it."""
+        return Looked(frozenset(self.paths), tuple(self.wholes.values()))
 
 
-class _Account(_local):
+class _OfThread(_local):
     """What a thread looked at: by everything, then by each piece of work inside of another that is watched."""
 
     def __init__(self) -> None:
-        self.noted: list[_Looked] = [_Looked()]
+        self.noted: list[_Account] = [_Account()]
 
 
-_account = _Account()
+_account = _OfThread()
 
 
 def exists(path: str) -> bool:
@@ -134,31 +156,31 @@ def note_tree(directory: str) -> None:
     _account.noted[-1].add(os.path.join(os.path.abspath(directory), ALL_BELOW))
 
 
-def noted() -> frozenset[str]:
-    """What was looked at since this was called last; absolute paths."""
-    taken = frozenset(_account.noted[-1])
-    _account.noted[-1].clear()
+def noted() -> Looked:
+    """What was looked at since this was called last."""
+    taken = _account.noted[-1].looked()
+    _account.noted[-1] = _Account()
     return taken
 
 
-def watched(work: Callable[[], T]) -> tuple[T, frozenset[str]]:
+def watched(work: Callable[[], T]) -> tuple[T, Looked]:
     """What ``work`` gives, and what it looked at; that stays noted."""
-    _account.noted.append(_Looked())
+    _account.noted.append(_Account())
     try:
         result = work()
     finally:
-        looked = frozenset(_account.noted.pop())
+        looked = _account.noted.pop().looked()
         note(looked)
     return result, looked
 
 
-class _Deaf(_Looked):
+class _Deaf(_Account):
     """An account in which nothing is noted."""
 
     def add(self, _: str) -> None:
         """Nothing."""
 
-    def update(self, *_: Iterable[str]) -> None:
+    def update(self, _: Looked | Iterable[str]) -> None:
         """Nothing."""
 
 
@@ -172,9 +194,9 @@ def unnoted() -> Iterator[None]:
         _account.noted.pop()
 
 
-def note(paths: Iterable[str]) -> None:
-    """Note ``paths`` (absolute) again."""
-    _account.noted[-1].update(paths)
+def note(looked: Looked | Iterable[str]) -> None:
+    """Note again what was looked at (paths are absolute)."""
+    _account.noted[-1].update(looked)
 
 
 def state(path: str) -> str:
@@ -193,13 +215,19 @@ def state(path: str) -> str:
         if path.endswith(os.sep + ALL_BELOW):
             return f"tree {sha1(_tree(path[: -len(ALL_BELOW)]), usedforsecurity=False).hexdigest()}"
         if os.path.isdir(path):
-            listed = "\0".join(sorted(os.listdir(path))).encode("utf-8", "surrogateescape")
-            return f"directory {sha1(listed, usedforsecurity=False).hexdigest()}"
+            return directory_state(os.listdir(path))
         if not os.path.exists(path):
             return ""
         return f"file {sha1(read_bytes(path), usedforsecurity=False).hexdigest()}"
     except (OSError, ValueError) as error:
         return f"{type(error).__name__} {getattr(error, 'errno', '')} {error.args[-1] if error.args else ''}"
+
+
+def directory_state(names: Iterable[str]) -> str:
+    """The :func:`state` of a directory in which there are these names."""
+    from hashlib import sha1
+
+    return f"directory {sha1(chr(0).join(sorted(names)).encode('utf-8', 'surrogateescape'), usedforsecurity=False).hexdigest()}"
 
 
 def content_state(path: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterable
 
-from launchlint.workspace.looking import content, is_file, names, note, watched
+from launchlint.workspace.looking import Looked, content, is_file, names, note, watched
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def _is_of_catkin(package: Package) -> bool:
     return manifest is not None and manifest.is_catkin and not manifest.is_ament
 
 
-def _workspace_is_ros2(packages: Packages) -> tuple[bool, frozenset[str]]:
+def _workspace_is_ros2(packages: Packages) -> tuple[bool, Looked]:
     return watched(lambda: _is_ros2(packages))
 
 

@@ -73,7 +73,7 @@ class Packages:
         self._places: list[Place] | None = None
         self._prefixes: list[Prefix] | None = None
         self._made: dict[Callable[..., Any], Any] = {}
-        self._read_for: dict[Callable[..., Any], tuple[str, ...]] = {}
+        self._read_for: dict[Callable[..., Any], frozenset[str]] = {}
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
         self._sources: dict[str, Place] = {}
@@ -102,7 +102,7 @@ class Packages:
 
         if make not in self._made:
             self._made[make], looked = watched(lambda: make(self))
-            self._read_for[make] = tuple(path for path in looked if path.endswith(ROSPACK.manifests))
+            self._read_for[make] = frozenset(path for path in looked.all() if path.endswith(ROSPACK.manifests))
         if self._read_for[make]:
             note(self._read_for[make])
         made: Made = self._made[make]

@@ -69,6 +69,34 @@ def test_a_second_run_computes_nothing(repository: Repository) -> None:
     assert repository.computed("base", "arm/launch") == 0, "what was asked for does not matter"
 
 
+def test_packages_of_one_name_are_no_reason_to_compute_again(repository: Repository) -> None:
+    shutil.copytree(repository.directory / "arm", repository.directory / "old/arm")
+    assert repository.computed() > 0
+    assert repository.computed() == 0
+
+
+def test_what_is_kept_grows_with_the_workspace_and_not_with_its_square(tmp_path: Path) -> None:
+    def kept(count: int) -> int:
+        repository = Repository(tmp_path / str(count))
+        for number in range(count):
+            name = f"package_{number:03}"
+            write(repository.directory, {
+                f"{name}/package.xml": PACKAGE.format(name=name),
+                f"{name}/README.md": f"see other_{number}",
+                f"{name}/config/wheel.yaml": "radius: 0.1\n",
+                f"{name}/launch/a.launch": f'<launch><include file="$(find missing_{number})/launch/a.launch"/>'
+                '<node name="n" pkg="lost" type="t" output="$(env TALK)"/></launch>\n',
+            })  # fmt: skip
+        repository.computed()
+        connection = sqlite3.connect(database(repository))
+        sizes = [connection.execute(f"SELECT sum(length(value)) FROM {table}").fetchone()[0] for table in ("entries", "files", "shared")]
+        connection.close()
+        return sum(size or 0 for size in sizes)
+
+    few, more, most = map(kept, (30, 60, 120))
+    assert most - more <= 2.3 * (more - few)
+
+
 def test_only_what_changed_is_computed(repository: Repository) -> None:
     assert repository.computed() == FILES
     file = repository.directory / "arm/launch/entry000.launch"
@@ -277,13 +305,13 @@ def test_another_version_starts_anew(repository: Repository, monkeypatch: pytest
 
     options = Options(frozenset(), (), True, {}, "/")
     packages = Packages((), {}, explicit=True)
-    now = surroundings.digest(options, packages)
-    assert surroundings.digest(options, packages) == now
+    now = surroundings.Surroundings(options, packages).name
+    assert surroundings.Surroundings(options, packages).name == now
     monkeypatch.setattr(surroundings, "__version__", "99.0")
-    other = surroundings.digest(options, packages)
+    other = surroundings.Surroundings(options, packages).name
     assert other != now
     monkeypatch.setattr(surroundings, "_own_code", lambda: iter([b"changed"]))
-    assert surroundings.digest(options, packages) not in (now, other)
+    assert surroundings.Surroundings(options, packages).name not in (now, other)
 
 
 def test_with_very_many_files_there_is_no_cache(repository: Repository, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -294,7 +322,7 @@ def test_with_very_many_files_there_is_no_cache(repository: Repository, monkeypa
     monkeypatch.setattr(surroundings, "MOST_FILES", 20)
     workspaces = (str(repository.directory),)
     packages = Packages(workspaces, {}, explicit=True)
-    assert surroundings.digest(Options(frozenset(), workspaces, True, {}, "/"), packages) is None
+    assert surroundings.Surroundings(Options(frozenset(), workspaces, True, {}, "/"), packages).name is None
 
 
 def database(repository: Repository) -> Path:
@@ -447,7 +475,7 @@ def test_a_part_of_a_text_is_looked_for_once(tmp_path: Path, monkeypatch: pytest
     def holds() -> bool:
         cache = Cache(str(tmp_path / "cache"), EntryChecker(Options(frozenset(), (str(workspace),), True, {}, str(workspace))))
         try:
-            return cache._holds([(part, known)])
+            return cache._holds([(part, known)], ())
         finally:
             cache.close()
 

@@ -11,10 +11,10 @@ import pytest
 from launchlint.extract import scanned
 from launchlint.extract.definitions import Library, defined_names
 from launchlint.extract.plan import plan
-from launchlint.knowledge.entry import States
 from launchlint.knowledge.reading import SourceReader
 from launchlint.workspace import looking
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.states import States
 from tests.extract.test_package import MANIFEST, grow
 
 

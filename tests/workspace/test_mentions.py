@@ -34,4 +34,4 @@ def test_which_files_are_documents(tmp_path: Path) -> None:
     found = read_documents([str(tmp_path)])
     expected = [str(tmp_path / each) for each in ("README", "docs/a.rst", "docs/below/b.md")]
     assert sorted(found.known.values()) == expected
-    assert set(expected) <= found.looked <= noted()
+    assert set(expected) <= found.looked <= set(noted().all())

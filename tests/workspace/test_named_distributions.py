@@ -52,7 +52,7 @@ def test_what_was_read_is_noted_for_the_cache(tmp_path: Path) -> None:
     (tmp_path / "README.md").write_text("For ROS 2 Iron\n")
     noted()
     named(tmp_path)
-    looked = noted()
+    looked = set(noted().all())
     assert str(tmp_path) in looked
     assert f"{tmp_path}/README.md//distributions" in looked
 

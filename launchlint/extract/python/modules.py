@@ -28,7 +28,7 @@ class PackageModules(ModuleFinder):
 
     def __init__(self, packages: Mapping[str, str]) -> None:
         super().__init__(packages, GENERATED)
-        self._libraries: dict[tuple[str, str], tuple[frozenset[str], frozenset[str]]] = {}
+        self._libraries: dict[tuple[str, str], tuple[frozenset[str], looking.Looked]] = {}
 
     def libraries(self, package: str, root: str) -> frozenset[str]:
         """The libraries of Python that a package says it needs, by its manifest or a list of requirements in it or in ``root``."""

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Mapping
 
 from launchlint.late import late
-from launchlint.workspace.looking import content, is_file, note, walk, watched
+from launchlint.workspace.looking import Looked, content, is_file, note, walk, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.registered_tests import CMAKE_FILE, TEST_END
@@ -75,7 +75,7 @@ def naming(name: str, home: Package, packages: Packages) -> tuple[str, ...]:
     return named.get(name, ())
 
 
-def _known(packages: Packages) -> dict[str, tuple[Mapping[str, tuple[str, ...]], frozenset[str]]]:
+def _known(packages: Packages) -> dict[str, tuple[Mapping[str, tuple[str, ...]], Looked]]:
     """The launch files that files of each package name, as far as it was asked for, and what that hangs on."""
     return {}
 

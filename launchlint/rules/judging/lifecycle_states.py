@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from launchlint.graph.connections import Instance
 from launchlint.model import Executable, Launch, UnknownText
-from launchlint.workspace.looking import note
+from launchlint.workspace.looking import Looked, note
 from launchlint.workspace.texts import files_by_word
 
 TYPE_CHECKING = False
@@ -113,6 +113,6 @@ def _is_told(name: str, launch: Launch, packages: Packages) -> bool:
     return any(file not in own for each in (name, _ANY) for file in said.get(each, ()))
 
 
-def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], frozenset[str]]]:
+def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], Looked]]:
     """The files that take nodes to other states, by the names that they hold, and what that hangs on."""
     return [files_by_word(packages.workspaces, _ENDS, "lifecycle")]

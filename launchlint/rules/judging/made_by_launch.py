@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from launchlint.rules.judging.made_by_node import Word, absolute, handed_over
 from launchlint.syntax.ros1.substitutions import opens
-from launchlint.workspace.looking import note, walk, watched
+from launchlint.workspace.looking import Looked, note, walk, watched
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.texts import parts
 
@@ -49,7 +49,7 @@ def written_by(path: str, near: str, packages: Packages) -> Step | None:
     return next((step for step in found if step is not None and step.file != posixpath.abspath(near)), None)
 
 
-def _known(packages: Packages) -> dict[str, tuple[_Steps, frozenset[str]]]:
+def _known(packages: Packages) -> dict[str, tuple[_Steps, Looked]]:
     """What the launch files of each package write, as far as it was asked for, and what that hangs on."""
     return {}
 

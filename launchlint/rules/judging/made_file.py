@@ -8,7 +8,7 @@ from typing import NamedTuple
 from launchlint.rules.judging.other_file import shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView
-from launchlint.workspace.looking import content, exists, is_file, names, note, watched
+from launchlint.workspace.looking import Looked, content, exists, is_file, names, note, watched
 from launchlint.workspace.packages import Packages
 
 
@@ -77,7 +77,7 @@ def _made_before(path: str, view: LaunchView, root: str) -> Made | None:
     return Made(why, f"start {file} before this")
 
 
-def _told(packages: Packages) -> dict[tuple[str, str], tuple[Made | None, frozenset[str]]]:
+def _told(packages: Packages) -> dict[tuple[str, str], tuple[Made | None, Looked]]:
     """The answers given so far, and what they hang on."""
     return {}
 

@@ -19,7 +19,7 @@ from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_in
 from launchlint.rules.judging.template import is_among_templates
 from launchlint.spelling import closest, distance, folded, one_slip
 from launchlint.workspace.crawl import COLCON
-from launchlint.workspace.looking import note, watched
+from launchlint.workspace.looking import Looked, note, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.place import Hidden
@@ -82,7 +82,7 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     return answer
 
 
-def _told(packages: Packages) -> dict[tuple[str, str, str], tuple[Judgement | None, frozenset[str]]]:
+def _told(packages: Packages) -> dict[tuple[str, str, str], tuple[Judgement | None, Looked]]:
     """The answers given so far, by the missing name and the file that uses it, and what they hang on."""
     return {}
 

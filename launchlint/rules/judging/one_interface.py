@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Mapping
 
-from launchlint.workspace.looking import names, note, watched
+from launchlint.workspace.looking import Looked, names, note, watched
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.texts import parts
 
@@ -34,7 +34,7 @@ def taken_beside(file: str, name: str, declared: frozenset[str], packages: Packa
     return min(others, default="")
 
 
-def _known(packages: Packages) -> dict[str, tuple[_Taken, frozenset[str]]]:
+def _known(packages: Packages) -> dict[str, tuple[_Taken, Looked]]:
     """What the launch files of each directory take, as far as it was asked for, and what that hangs on."""
     return {}
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from launchlint.workspace.looking import note
+from launchlint.workspace.looking import Looked, note
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.texts import files_by_word
 
@@ -25,6 +25,6 @@ def says(name: str, packages: Packages, *, offers: bool, besides: Collection[str
     return any(not file.endswith(without) for file in known.get(f"{'+' if offers else '-'}{name}", ()))
 
 
-def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], frozenset[str]]]:
+def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], Looked]]:
     """What the sources say, each with the first files that do, and what that hangs on."""
     return [files_by_word(packages.workspaces, _SOURCE_ENDS, "topics", _MOST_KEPT)]

@@ -104,7 +104,7 @@ from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.build_order import ways_to
-from launchlint.workspace.looking import is_file, note, watched
+from launchlint.workspace.looking import Looked, is_file, note, watched
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.releases import never_released
 
@@ -280,7 +280,7 @@ class _Ways:
     def __init__(self, packages: Packages) -> None:
         self._name: str | None = None
         self._found: tuple[dict[str, Way], dict[str, Way]] = ({}, {})
-        self._looked: frozenset[str] = frozenset()
+        self._looked = Looked(frozenset())
 
     def to(self, name: str, packages: Packages) -> tuple[dict[str, Way], dict[str, Way]]:
         """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too."""

@@ -23,7 +23,7 @@ class _Extensions(NamedTuple):
     """The packages that bring tags, by tag; ``looked``: what was looked at to know."""
 
     brought_by: Mapping[str, str]
-    looked: frozenset[str]
+    looked: looking.Looked
 
 
 def brought_by(packages: Packages) -> Mapping[str, str]:

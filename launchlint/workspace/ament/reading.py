@@ -11,7 +11,7 @@ from launchlint.workspace.cmake_exports import Exported, exported_commands
 from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.cmake_targets import CMakeFacts
 from launchlint.workspace.listing import files_of
-from launchlint.workspace.looking import note, watched
+from launchlint.workspace.looking import Looked, note, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.prefixes import is_installed
@@ -28,7 +28,7 @@ class InstalledIndex:
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
         self._having: Mapping[str, Sequence[str]] | None = None
-        self._found: dict[str, tuple[Installed, frozenset[str]]] = {}
+        self._found: dict[str, tuple[Installed, Looked]] = {}
 
     def of(self, package: Package) -> Installed:
         """What ``package`` installs. Never raises."""
