@@ -86,6 +86,11 @@ class Endpoint(NamedTuple):
         """Whether it belongs to the machinery of nodes (bonds, dynamic_reconfigure, nodelet services)."""
         return self.type.startswith(PLUMBING)
 
+    @property
+    def is_read_here(self) -> bool:
+        """Whether sources of the workspace say that the node has this end, not what is known of a public program."""
+        return any("here" in each for each in self.declaration.evidence)
+
 
 class Reading(NamedTuple):
     """A param that a node reads; the fields are those of :class:`Endpoint`."""

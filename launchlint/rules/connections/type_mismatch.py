@@ -52,7 +52,7 @@ from launchlint.graph.connections import Channel, Endpoint
 from launchlint.late import late
 from launchlint.model import ROS2
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, owners, remap_origin, with_sources
-from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild, is_read_here
+from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
 from launchlint.rules.judging.other_file import is_inside
 from launchlint.rules.judging.same_definition import is_known, may_be_alike, may_be_copies
 from launchlint.rules.judging.written_definition import are_written_alike
@@ -167,7 +167,7 @@ def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:
 
 def _other_version(own: Endpoint, other: Endpoint, view: GraphView) -> str:
     """Why what is known of ``other``, a public program, may not hold beside ``own``, which is read here; empty where nothing says so."""
-    if not is_read_here(own) or is_read_here(other):
+    if not own.is_read_here or other.is_read_here:
         return ""
     mine, public = (view.once(owners)[id(end)].program.partition("/")[0] for end in (own, other))
     if is_of_rosbuild(view.packages.get(mine, view.launch.entry.file)):

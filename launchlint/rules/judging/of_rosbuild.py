@@ -8,7 +8,6 @@ from launchlint.workspace.manifest import MANIFEST_FILE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.graph.connections import Endpoint
     from launchlint.workspace.package import Package
 
 AS_USUAL = "its package is built with rosbuild, as was usual before ROS Groovy"
@@ -18,8 +17,3 @@ SINCE = f"{AS_USUAL}, and what is known of public programs is what they do since
 def is_of_rosbuild(home: Package | None) -> bool:
     """Whether rosbuild builds the package: it has a ``manifest.xml``, and no ``package.xml``."""
     return home is not None and posixpath.basename(home.manifest_path) == MANIFEST_FILE
-
-
-def is_read_here(endpoint: Endpoint) -> bool:
-    """Whether sources of the workspace say that the node has this end, not what is known of a public program."""
-    return any("here" in each for each in endpoint.declaration.evidence)

@@ -66,7 +66,7 @@ from launchlint.plural import listed
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out
 from launchlint.rules.judging.name_places import is_inside
-from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild, is_read_here
+from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
 from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.own_names import OwnNames, own_names
 from launchlint.rules.judging.ros2_remaps import in_vain
@@ -244,7 +244,7 @@ def _is_harmless(miss: _Miss) -> bool:
 
 
 def _is_read_here(instance: Instance) -> bool:
-    return any(is_read_here(endpoint) for endpoint in instance.endpoints)
+    return any(endpoint.is_read_here for endpoint in instance.endpoints)
 
 
 def _is_another_version(miss: _Miss) -> bool:
