@@ -59,7 +59,8 @@ class _Needs:
 
     def __init__(self, packages: Packages) -> None:
         directories = [each.directory for place in _places(packages) for each in place.everything if each.name]
-        used, self.looked = watched(lambda: {directory: _used(directory) for directory in directories})
+        used, looked = watched(lambda: {directory: _used(directory) for directory in directories})
+        self.looked = frozenset(looked.all())
         self.by = _needed_by(packages, used)
         everything = [each for place in _places(packages) for each in place.everything if each.name and each.manifest is not None]
         self._open = frozenset(each.name for each in everything if used[each.directory] is None)

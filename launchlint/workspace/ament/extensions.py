@@ -23,7 +23,7 @@ class _Extensions(NamedTuple):
     """The packages that bring tags, by tag; ``looked``: what was looked at to know."""
 
     brought_by: Mapping[str, str]
-    looked: looking.Looked
+    looked: frozenset[str]
 
 
 def brought_by(packages: Packages) -> Mapping[str, str]:
@@ -34,7 +34,8 @@ def brought_by(packages: Packages) -> Mapping[str, str]:
 
 
 def _read(packages: Packages) -> _Extensions:
-    return _Extensions(*looking.watched(lambda: _tags(packages)))
+    found, looked = looking.watched(lambda: _tags(packages))
+    return _Extensions(found, frozenset(looked.all()))
 
 
 def _tags(packages: Packages) -> Mapping[str, str]:
