@@ -65,12 +65,13 @@ class States:
 
     def looks(self, looked: Looked, others: Iterable[Looks] = ()) -> Looks:
         """What was looked at, with its states; and all of ``others``."""
-        own = {path: self.of(path) for path in looked.paths}
-        shared = {id(each): each for each in map(self._whole, looked.wholes)}
+        own: dict[str, str] = {}
+        shared = dict.fromkeys(map(self._whole, looked.wholes))
         for other in others:
             own.update(other.own)
-            shared.update((id(each), each) for each in other.shared)
-        return Looks(tuple(sorted(own.items())), tuple(shared.values()))
+            shared.update(dict.fromkeys(other.shared))
+        own.update((path, self.of(path)) for path in looked.paths)
+        return Looks(tuple(sorted(own.items())), tuple(shared))
 
     def _whole(self, paths: frozenset[str]) -> Shared:
         kept = self._shared.get(id(paths))

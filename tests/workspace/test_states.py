@@ -24,6 +24,11 @@ def test_what_many_look_at_is_kept_once(tmp_path: Path) -> None:
     noted()
 
 
+def test_equal_looks_are_shared_once(tmp_path: Path) -> None:
+    looked = Looked(frozenset(), (frozenset((str(tmp_path),)),))
+    assert len(States().looks(looked, [States().looks(looked)]).shared) == 1
+
+
 def test_equal_looks_have_one_name(tmp_path: Path) -> None:
     several = [States().looks(Looked(frozenset(), (frozenset((str(tmp_path),)),))).shared[0] for _ in range(2)]
     assert several[0] == several[1]
