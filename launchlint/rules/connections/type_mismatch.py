@@ -155,7 +155,7 @@ def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:
     """Why the type of ``other``, a public program, may be that of ``own``, which is read here, in the release that this is written for:
     their messages moved to a package of their own (turtlesim, turtlesim_msgs). Empty where nothing says so.
     """
-    if not is_read_here(own) or is_read_here(other):
+    if not own.is_read_here or other.is_read_here:
         return ""
     (mine, _, message), (theirs, _, same) = own.type.partition("/"), other.type.partition("/")
     short, long = sorted((mine, theirs), key=len)

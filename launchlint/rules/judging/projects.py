@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from functools import partial
 
 from launchlint.late import late
-from launchlint.workspace.looking import is_file, names, note, watched
+from launchlint.workspace.looking import Looked, is_file, names, note, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
@@ -90,8 +90,8 @@ class _Projects:
     def __init__(self, packages: Packages) -> None:
         self._roots = [each.rstrip("/") for each in packages.workspaces]
         self._manifests = {each.directory: each.manifest for each in _everything(packages) if each.manifest is not None}
-        self._found: dict[str, tuple[bool, frozenset[str]]] = {}
-        self._signs: dict[str, tuple[bool, frozenset[str]]] = {}
+        self._found: dict[str, tuple[bool, Looked]] = {}
+        self._signs: dict[str, tuple[bool, Looked]] = {}
 
     def around(self, home: str) -> str:
         """The nearest one that the package in the directory ``home`` lies in; empty: in none."""
