@@ -7,7 +7,7 @@ authors, addresses), what a directory holds that only the root of a repository h
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import partial
 
 from launchlint.late import late
@@ -68,7 +68,7 @@ def is_from_elsewhere(home: Package, packages: Packages) -> bool:
     manifest = home.manifest
     if manifest is None or not _is_of_others(home, packages):
         return False
-    left_as_made = [each for each in _everything(packages) if each.manifest is not None and _is_left_as_made(each.manifest.people)]
+    left_as_made = [each for each in _beside(home, packages) if each.manifest is not None and _is_left_as_made(each.manifest.people)]
     return bool(_origins(manifest)) or (not _of_template(manifest.people) and len(left_as_made) >= _SOME)
 
 
@@ -89,7 +89,8 @@ class _Projects:
 
     def __init__(self, packages: Packages) -> None:
         self._roots = [each.rstrip("/") for each in packages.workspaces]
-        self._manifests = {each.directory: each.manifest for each in _everything(packages) if each.manifest is not None}
+        everything = [each for place in packages.places[: len(self._roots)] for each in place.everything]
+        self._manifests = {each.directory: each.manifest for each in everything if each.manifest is not None}
         self._found: dict[str, tuple[bool, Looked]] = {}
         self._signs: dict[str, tuple[bool, Looked]] = {}
 
@@ -123,14 +124,18 @@ class _Projects:
 
     def _are_others(self, directory: str, people: frozenset[str]) -> bool:
         """Whether most packages outside of ``directory`` have nothing to do with ``people``: of all, or of those in no other project."""
-        outside = {each: manifest for each, manifest in self._manifests.items() if not _is_in(each, directory)}
+        outside = self._outside(directory)
         own = [manifest for each, manifest in outside.items() if not self._is_in_other(each, directory)]
         return _mostly_others(outside.values(), people) or _mostly_others(own, people)
 
     def _left_as_made(self, directory: str) -> int:
         """How many packages outside of ``directory`` have nobody's name but what the template has."""
-        outside = (manifest.people for each, manifest in self._manifests.items() if not _is_in(each, directory))
-        return sum(map(_is_left_as_made, outside))
+        return sum(_is_left_as_made(manifest.people) for manifest in self._outside(directory).values())
+
+    def _outside(self, directory: str) -> dict[str, Manifest]:
+        """The packages outside of ``directory`` in the same workspace: of others that are overlaid nobody says that they are one's own."""
+        root = next(each for each in self._roots if _is_in(directory, each))
+        return {each: manifest for each, manifest in self._manifests.items() if _is_in(each, root) and not _is_in(each, directory)}
 
     def _is_in_other(self, package: str, directory: str) -> bool:
         """Whether a directory around the package, and not around ``directory``, looks like the root of a repository."""
@@ -182,8 +187,8 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     if not people:
         return False
     own = public = theirs = 0
-    came_along = _is_all_theirs(posixpath.dirname(home.directory), people, packages)
-    for each in _everything(packages):
+    came_along = _is_all_theirs(posixpath.dirname(home.directory), people, _beside(home, packages))
+    for each in _beside(home, packages):
         if each.manifest is None or each.name == home.name:
             continue
         if each.name in public_names():
@@ -195,15 +200,19 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
 
 
-def _is_all_theirs(directory: str, people: frozenset[str], packages: Packages) -> bool:
+def _is_all_theirs(directory: str, people: frozenset[str], everything: Sequence[Package]) -> bool:
     """Whether all packages right in ``directory`` have some of ``people``, and there are others elsewhere: then it came as a whole."""
-    here = [posixpath.dirname(each.directory) == directory for each in _everything(packages)]
-    shared = [each.manifest is None or not people.isdisjoint(each.manifest.people) for each in _everything(packages)]
+    here = [posixpath.dirname(each.directory) == directory for each in everything]
+    shared = [each.manifest is None or not people.isdisjoint(each.manifest.people) for each in everything]
     return not all(here) and all(theirs for inside, theirs in zip(here, shared, strict=True) if inside)
 
 
-def _everything(packages: Packages) -> list[Package]:
-    return [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+def _beside(home: Package, packages: Packages) -> list[Package]:
+    """The packages of the first workspace that ``home`` lies in: of others that are overlaid nobody says that they are one's own."""
+    for root, place in zip(packages.workspaces, packages.places, strict=False):
+        if _is_in(home.directory, root.rstrip("/")):
+            return place.everything
+    return []
 
 
 def _mostly_others(manifests: Iterable[Manifest], people: frozenset[str]) -> bool:

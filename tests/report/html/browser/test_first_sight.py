@@ -59,7 +59,7 @@ def test_every_name_of_a_public_robot_can_be_read(browser: Browser, tmp_path: Pa
     directory = Path(str(find_corpus())) / robot
     target = tmp_path / "report.html"
     environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
-    command = [sys.executable, "-m", "launchlint", "report", ROBOTS[robot], "-o", str(target), "--quiet", "--jobs", "1"]
+    command = [sys.executable, "-m", "launchlint", "report", ROBOTS[robot], "-o", str(target), "--quiet", "--jobs", "1", "--workspace", "."]
     subprocess.run(command, cwd=directory, env=environment, check=True)
     page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
     page.goto(f"{target.as_uri()}#entry={ROBOTS[robot]}")

@@ -29,7 +29,21 @@ PLACES = """() => Object.fromEntries([...document.querySelectorAll("#drawing > s
 
 def written(directory: Path, launch: str, target: Path, *words: str) -> None:
     environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
-    command = [sys.executable, "-m", "launchlint", "report", launch, "-o", str(target), "--quiet", "--jobs", "1", *words]
+    command = [
+        sys.executable,
+        "-m",
+        "launchlint",
+        "report",
+        launch,
+        "-o",
+        str(target),
+        "--quiet",
+        "--jobs",
+        "1",
+        "--workspace",
+        ".",
+        *words,
+    ]
     subprocess.run(command, cwd=directory, env=environment, check=True)
 
 

@@ -1,0 +1,34 @@
+"""Whose a package is: asked of the workspace that it lies in."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from launchlint.rules.judging.projects import is_from_elsewhere, kept_whole
+from launchlint.workspace.packages import Packages
+from tests.cli.running import write
+
+MANIFEST = """\
+<package format="2"><name>{name}</name><version>1.0.0</version><description>x</description>
+<maintainer email="{who}">x</maintainer><license>BSD</license>{more}</package>
+"""
+ADDRESS = '<url type="repository">https://github.com/ros-planning/navigation</url>'
+
+
+@pytest.mark.parametrize("overlaid", [True, False])
+def test_the_packages_of_a_workspace_that_is_overlaid_make_nothing_a_copy(tmp_path: Path, overlaid: bool) -> None:
+    others = "under" if overlaid else "over/other"
+    files = {
+        "over/navigation/README.md": "", "over/navigation/LICENSE": "",
+        "over/navigation/amcl/package.xml": MANIFEST.format(name="amcl", who="a@example.org", more=ADDRESS),
+    }  # fmt: skip
+    for number in range(6):
+        files[f"{others}/own_{number}/package.xml"] = MANIFEST.format(name=f"own_{number}", who="b@example.org", more="")
+    write(tmp_path, files)
+    packages = Packages([str(tmp_path / "over"), str(tmp_path / "under")] if overlaid else [str(tmp_path / "over")], {}, explicit=True)
+    home = packages.package_of(str(tmp_path / "over/navigation/amcl"))
+    assert home is not None
+    assert is_from_elsewhere(home, packages) is not overlaid
+    assert bool(kept_whole(home, packages)) is not overlaid
