@@ -19,7 +19,7 @@ from launchlint.check.file import INTERNAL_ERROR, FileResult
 from launchlint.check.options import EntryRequest
 from launchlint.check.surroundings import Surroundings
 from launchlint.workspace.looking import PART, content_state, state
-from launchlint.workspace.states import Look, Looks, States
+from launchlint.workspace.states import Look, Looks, States, state_of
 
 if TYPE_CHECKING:
     import sqlite3
@@ -135,7 +135,7 @@ class Cache:
     def _state(self, path: str) -> str:
         """That of a part of a text takes time to find: it is kept with the content of the whole text, and found anew with another."""
         if PART not in path:
-            return content_state(path) or state(path)
+            return state_of(path)
         content = content_state(path.partition(PART)[0])
         kept = self._row("SELECT value FROM parts WHERE path = ?", path)
         if content and kept is not None and kept[0] == content:

@@ -47,14 +47,14 @@ def _told(session: Session, file: str) -> DialectName:
         if has_launch_key(data) or holds_python(file, data):
             return ROS2
     from launchlint.evaluate.session import Read
-    from launchlint.syntax.dialect import told
+    from launchlint.syntax.dialect import OF_ROS1, told
 
     document = session.document(file)
     if isinstance(document, Read):
         return expected or ROS1
     from launchlint.workspace.other_ros import built_for_ros2
 
-    of_ros2_only = expected == ROS2 and built_for_ros2(file, session.packages) is not None
+    of_ros2_only = expected == ROS2 and file.endswith(OF_ROS1) and built_for_ros2(file, session.packages) is not None
     return told(document, expected, only_where_equal=_is_built_for_both(file, session.packages), of_ros2_only=of_ros2_only)
 
 

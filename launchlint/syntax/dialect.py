@@ -43,7 +43,8 @@ class Word(NamedTuple):
     substitution: str = ""
 
 
-_OF_ROS1 = ".launch"
+OF_ROS1 = ".launch"
+"""The end of names that ROS 2 does not use."""
 _ALONE = frozenset(("param", "remap"))
 """Elements that stand in those of a node in ROS 2, and in any other of roslaunch as well."""
 _TEST = Word("test")
@@ -91,7 +92,7 @@ def told(document: Document, expected: DialectName | None, *, only_where_equal: 
     for word in listed:
         ros1 += WEIGHT + 1 if word == _TEST else only1.has(word)
         ros2 += only2.has(word)
-    if of_ros2_only and ros2 == before[1] and document.source.path.endswith(_OF_ROS1) and (ros1 > before[0] or _has_alone(document)):
+    if of_ros2_only and ros2 == before[1] and document.source.path.endswith(OF_ROS1) and (ros1 > before[0] or _has_alone(document)):
         return ROS1
     return expected or ROS1 if ros1 == ros2 and only_where_equal else ROS1 if ros1 >= ros2 else ROS2
 

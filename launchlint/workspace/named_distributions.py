@@ -19,8 +19,8 @@ _MOST_PACKAGES = 60
 _WORKFLOWS = os.path.join(".github", "workflows")
 _PLACES = ("docker", "Docker", ".docker", ".devcontainer", "devcontainer", "ci", ".ci", ".circleci")
 _STARTS = ("readme", "dockerfile", "containerfile", "docker-compose", "compose", "devcontainer")
-_ENDS = (".dockerfile", ".yml", ".yaml", ".sh", ".bash", ".env")
 _SCRIPTS = (".sh", ".bash")
+_ENDS = (".dockerfile", ".yml", ".yaml", ".env", *_SCRIPTS)
 _CI = (".gitlab-ci.yml", ".travis.yml", "azure-pipelines.yml", "pixi.toml")
 
 

@@ -7,7 +7,7 @@ and compared once for all of them.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -52,7 +52,7 @@ class States:
     """What there is on disk, each path looked at once, until it is said to have changed."""
 
     def __init__(self, find: Callable[[str], str] | None = None) -> None:
-        self._find = find or _state
+        self._find = find or state_of
         self._known: dict[str, str] = {}
         self._shared: dict[int, tuple[frozenset[str], Shared]] = {}
 
@@ -102,12 +102,6 @@ def places_of(files: Iterable[str], *, listed: bool) -> set[str]:
     return places
 
 
-def all_looks(looks: Looks) -> Iterator[Look]:
-    """Each look, own and shared."""
-    yield from looks.own
-    for each in looks.shared:
-        yield from each.looks
-
-
-def _state(path: str) -> str:
+def state_of(path: str) -> str:
+    """:func:`launchlint.workspace.looking.state`, sooner where it is that of a small file."""
     return state(path) if PART in path else content_state(path) or state(path)

@@ -7,6 +7,7 @@ from pathlib import Path
 from launchlint.extract.package import extract
 from launchlint.extract.plan import plan
 from launchlint.library.validate import faults
+from tests.cli.running import write
 
 NODE = """#include "rclcpp/rclcpp.hpp"
 #include "std_msgs/msg/string.hpp"
@@ -131,9 +132,7 @@ def test_packages_beside_it_that_cmake_finds_and_package_xml_does_not_name(tmp_p
         "add_executable(pick pick.cpp)\ninstall(TARGETS pick DESTINATION lib/${PROJECT_NAME})\nament_package()\n",
         "demo/pick.cpp": SKILL,
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write(tmp_path, files)
     variant = extract([str(tmp_path)], ["demo"]).document["packages"]["demo"]["executables"]["pick"]["variants"]["default"]
     assert [each["name"] for each in variant["publishers"]] == ["/{param:~robot|r1}/pose"]  # a base class that may be a node
     assert {each["name"] for each in variant["params"]} == {"~robot", "~speed"}
@@ -150,9 +149,7 @@ def test_sources_are_read_and_not_what_colcon_installed_of_them(tmp_path: Path) 
         "install(TARGETS plain DESTINATION lib/${PROJECT_NAME})\nament_package()\n",
         "src/demo/plain.cpp": MAIN,
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write(tmp_path, files)
     (tmp_path / "build/demo").mkdir()
     (tmp_path / "build/demo/package.xml").symlink_to(tmp_path / "elsewhere/package.xml")
     result = extract([str(tmp_path)])

@@ -73,10 +73,6 @@ class Situation(NamedTuple):
             walk.remembers,
         )
 
-    def is_like(self, other: Situation) -> bool:
-        """Whether the same comes of an action in both; what is not known is equal where the same is not known for the same reason."""
-        return self == other or all(map(_is_like, self, other))
-
 
 class Outcome(NamedTuple):
     """What an ``action`` came to in its ``situation``, with what it did to the launch configurations.
@@ -104,7 +100,7 @@ class Outcome(NamedTuple):
 
     def fits(self, action: Performed, situation: Situation, walk: Walk) -> bool:
         """Whether ``action`` would come to the same now."""
-        if self.action is not action or not self.situation.is_like(situation):
+        if self.action is not action or not _is_like(self.situation, situation):
             return False
         configurations = walk.context.configurations
         for name, setting in self.uses.read.items():
@@ -138,7 +134,10 @@ def _is_same(one: Setting | None, other: Setting | None) -> bool:
 
 
 def _is_like(one: object, other: object) -> bool:
-    """Whether two values, or sequences or mappings of such, are equal, those that are not known by what is said of them."""
+    """Whether two values, or sequences or mappings of such, are equal, those that are not known by what is said of them.
+
+    Of two :class:`Situation`: whether the same comes of an action in both.
+    """
     if one is other or one == other:
         return True
     if type(one) is not type(other):

@@ -187,8 +187,9 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     if not people:
         return False
     own = public = theirs = 0
-    came_along = _is_all_theirs(posixpath.dirname(home.directory), people, _beside(home, packages))
-    for each in _beside(home, packages):
+    beside = _beside(home, packages)
+    came_along = _is_all_theirs(posixpath.dirname(home.directory), people, beside)
+    for each in beside:
         if each.manifest is None or each.name == home.name:
             continue
         if each.name in public_names():
@@ -202,9 +203,8 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
 
 def _is_all_theirs(directory: str, people: frozenset[str], everything: Sequence[Package]) -> bool:
     """Whether all packages right in ``directory`` have some of ``people``, and there are others elsewhere: then it came as a whole."""
-    here = [posixpath.dirname(each.directory) == directory for each in everything]
-    shared = [each.manifest is None or not people.isdisjoint(each.manifest.people) for each in everything]
-    return not all(here) and all(theirs for inside, theirs in zip(here, shared, strict=True) if inside)
+    inside = [each for each in everything if posixpath.dirname(each.directory) == directory]
+    return len(inside) < len(everything) and all(each.manifest is None or not people.isdisjoint(each.manifest.people) for each in inside)
 
 
 def _beside(home: Package, packages: Packages) -> list[Package]:

@@ -12,6 +12,7 @@ meant for it.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -23,8 +24,8 @@ from launchlint.rules.judging.same_definition import stands_for
 from launchlint.source import Place
 
 _MOST_NODES = 2_000
-_NAMES = ("publishers", "subscribers", "services", "clients", "actions")
 """Of longer chains nothing is said."""
+_NAMES = ("publishers", "subscribers", "services", "clients", "actions")
 _OWN_AND_OTHER = 2
 """Nodes of which one at least is another than a given one."""
 Role = tuple[str, str, str]
@@ -101,31 +102,18 @@ class Signs:
     def are_one_chain(self, givers: list[Endpoint], takers: list[Endpoint]) -> bool:
         """Whether what ``givers`` give follows from what ``takers`` hear, by messages of the same type alone: then it is for others."""
         type_ = stands_for(takers[0].type)
-        nodes, wanted = {each.node for each in takers}, {each.node for each in givers}
-        waiting = list(nodes)
-        while waiting and not nodes & wanted and len(nodes) < _MOST_NODES:
-            more = [each for each in self._hears.get((type_, waiting.pop()), ()) if each not in nodes]
-            nodes.update(more)
-            waiting += more
-        return bool(nodes & wanted) or len(nodes) >= _MOST_NODES
+        return _is_reached({each.node for each in takers}, {each.node for each in givers}, lambda node: self._hears.get((type_, node), ()))
 
     def _leads_to(self, node: str, other: str) -> bool:
         """Whether what ``node`` says, or answers, goes to ``other``, by way of others or not."""
-        seen, waiting = {node}, [node]
-        while waiting and len(seen) < _MOST_NODES:
-            more = [each for each in self._taken_by.get(waiting.pop(), ()) if each not in seen]
-            seen.update(more)
-            waiting += more
-        return other in seen or len(seen) >= _MOST_NODES
+        return _is_reached({node}, {other}, lambda each: self._taken_by.get(each, ()))
 
     @cached_property
     def _taken_by(self) -> dict[str, dict[str, None]]:
         """For each node those that hear it or call it. What everybody hears leads nowhere."""
         found: dict[str, dict[str, None]] = {}
-        for channel in self._graph.channels.values():
-            if not channel.is_hub and not channel.is_plumbing:
-                for giver in channel.offers:
-                    found.setdefault(giver.node, {}).update((taker.node, None) for taker in channel.uses if taker.node != giver.node)
+        for (_, giver), takers in self._hears.items():
+            found.setdefault(giver, {}).update(dict.fromkeys(takers))
         return found
 
     @cached_property
@@ -206,6 +194,16 @@ class Signs:
                 key = (stands_for(giver.type), giver.node)
                 found.setdefault(key, {}).update((taker.node, None) for taker in channel.uses if taker.node != giver.node)
         return {key: list(others) for key, others in found.items()}
+
+
+def _is_reached(nodes: set[str], wanted: set[str], following: Callable[[str], Iterable[str]]) -> bool:
+    """Whether one leads from ``nodes`` to one of ``wanted``, or to more of them than are looked at."""
+    waiting = list(nodes)
+    while waiting and not nodes & wanted and len(nodes) < _MOST_NODES:
+        more = [each for each in following(waiting.pop()) if each not in nodes]
+        nodes.update(more)
+        waiting += more
+    return bool(nodes & wanted) or len(nodes) >= _MOST_NODES
 
 
 def _is_private(end: Endpoint) -> bool:

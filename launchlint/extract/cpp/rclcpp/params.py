@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable as Does
+from collections.abc import Sequence
 
 from launchlint.extract.cpp.naming import finished
 from launchlint.extract.cpp.rclcpp.qos import as_number
@@ -228,7 +229,7 @@ def get(handle: Handle, asked: Call) -> Value:
     cell = asked.cell(1) if len(asked.arguments) > 1 else None
     kind = value_type(asked, asked.types[0]) if asked.types else value_type(asked, cell.type) if cell is not None else ""
     _note(asked, handle, asked.value(0), value_type=kind, declared=False)
-    value = value_of(asked.value(0), _known_default(asked, handle, asked.value(0)))
+    value = value_of(asked.value(0), _one_of(_declared_before(asked, handle, asked.value(0))))
     if cell is None:
         return value
     asked.machine.write(cell, value)
@@ -247,9 +248,8 @@ def _declared_before(asked: Call, handle: Handle, name: Value) -> list[Any]:
     ]
 
 
-def _known_default(asked: Call, handle: Handle, name: Value) -> Value:
-    """The default that a param was declared with before."""
-    found = _declared_before(asked, handle, name)
+def _one_of(found: Sequence[Any]) -> Value:
+    """The one default that a param was declared with, where that is a plain value."""
     if not found or found[0] is None or any(each != found[0] for each in found) or isinstance(found[0], list):
         return UNKNOWN
     return (
@@ -266,8 +266,9 @@ def get_or(handle: Handle, asked: Call) -> Value:
     value = asked.value(2) if len(asked.arguments) > 2 else asked.value(1)
     cell = asked.cell(1) if len(asked.arguments) > 2 else None
     kind = value_type(asked, cell.type) if cell is not None and cell.type.name else value_type(asked, UNTYPED, value)
-    if _declared_before(asked, handle, asked.value(0)):  # it has a value: the one that is given here is for a param that is not there
-        value = _known_default(asked, handle, asked.value(0))
+    before = _declared_before(asked, handle, asked.value(0))
+    if before:  # it has a value: the one that is given here is for a param that is not there
+        value = _one_of(before)
         _note(asked, handle, asked.value(0), value_type=kind, declared=False)
     else:
         _note(asked, handle, asked.value(0), value_type=kind, declared=False, default=default_of(value, kind))

@@ -52,12 +52,22 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     return report
 
 
-def _written(directory: Path, *words: str) -> Path:
-    """What ``launchlint report`` makes of a directory."""
-    page = directory / "report.html"
-    command = [sys.executable, "-m", "launchlint", "report", *words, "-o", str(page), "--quiet", "--ignore", "LL303", "--jobs", "1"]
+def write_report(directory: Path, page: Path, *words: str) -> None:
+    """Write what ``launchlint report WORDS`` makes of a directory."""
+    command = [sys.executable, "-m", "launchlint", "report", *words, "-o", str(page), "--quiet", "--jobs", "1"]
     environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
     subprocess.run(command, cwd=directory, env=environment, check=True)
+
+
+def commit(directory: Path) -> None:
+    """Make the directory a repository with all that is in it."""
+    for words in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "before")):
+        subprocess.run([*GIT, *words], cwd=directory, check=True)
+
+
+def _written(directory: Path, *words: str) -> Path:
+    page = directory / "report.html"
+    write_report(directory, page, *words, "--ignore", "LL303")
     return page
 
 
@@ -78,8 +88,7 @@ def _robot(directory: Path) -> Path:
 
 def _changed(directory: Path) -> Path:
     shutil.copytree(HERE / "robot", directory)
-    for words in (("init", "--quiet"), ("add", "--all"), ("commit", "--quiet", "--message", "before")):
-        subprocess.run([*GIT, *words], cwd=directory, check=True)
+    commit(directory)
     launch = directory / "robot.launch"
     before = launch.read_text()
     after = before.replace('to="left/image_raw"', 'to="right/image_raw"').replace('name="mystery"', 'name="riddle"')
@@ -92,8 +101,7 @@ def _pull(directory: Path) -> Path:
     """A pull request: one launch file with other connections, one that a finding was fixed in, one as it was, one new."""
     shutil.copytree(HERE / "robot", directory)
     (directory / "calm.launch").write_text('<launch><node pkg="vision" type="camera" name="eye"/></launch>')
-    for words in (("init", "--quiet"), ("add", "--all"), ("commit", "--quiet", "--message", "before")):
-        subprocess.run([*GIT, *words], cwd=directory, check=True)
+    commit(directory)
     launch, tools = directory / "robot.launch", directory / "tools.launch"
     launch.write_text(launch.read_text().replace('to="left/image_raw"', 'to="right/image_raw"').replace('name="mystery"', 'name="riddle"'))
     tools.write_text(tools.read_text().replace('name="camera"', 'name="second"', 1))

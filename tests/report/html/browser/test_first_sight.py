@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.conftest import find_corpus
+from tests.report.html.browser.conftest import write_report
 from tests.report.html.browser.reading import drawn
 
 pytestmark = pytest.mark.chromium
@@ -58,9 +56,7 @@ def test_every_name_of_the_example_can_be_read_and_it_fills_the_stage(open_repor
 def test_every_name_of_a_public_robot_can_be_read(browser: Browser, tmp_path: Path, robot: str) -> None:
     directory = Path(str(find_corpus())) / robot
     target = tmp_path / "report.html"
-    environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
-    command = [sys.executable, "-m", "launchlint", "report", ROBOTS[robot], "-o", str(target), "--quiet", "--jobs", "1", "--workspace", "."]
-    subprocess.run(command, cwd=directory, env=environment, check=True)
+    write_report(directory, target, ROBOTS[robot], "--workspace", ".")
     page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
     page.goto(f"{target.as_uri()}#entry={ROBOTS[robot]}")
     drawn(page)

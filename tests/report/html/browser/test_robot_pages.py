@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -14,7 +13,7 @@ from playwright.sync_api import Browser, Page
 
 from tests.bench.report_drawing import ready
 from tests.conftest import find_corpus
-from tests.report.html.browser.conftest import GIT
+from tests.report.html.browser.conftest import commit
 from tests.report.html.browser.reading import drawn, lines
 from tests.report.html.browser.test_first_sight import ROBOTS
 from tests.report.html.browser.test_landing import COUNTED, titles
@@ -125,8 +124,7 @@ def test_a_pull_request_shows_what_changed_first(browser: Browser, tmp_path: Pat
     directory, target, picture = tmp_path / "robot", tmp_path / "report.html", tmp_path / "change.svg"
     shutil.copytree(Path(str(find_corpus())) / name, directory, symlinks=True)
     shutil.rmtree(directory / ".git", ignore_errors=True)
-    for words in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "before")):
-        subprocess.run([*GIT, *words], cwd=directory, check=True)
+    commit(directory)
     add_newcomer(directory / ROBOTS[name], name, "topic_tools", "relay", "newcomer_in newcomer_out")
     written(directory, ".", target, "--base", "HEAD", "--picture", str(picture))
     data = data_of(target.read_text(encoding="utf-8"))

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.conftest import find_corpus
-from tests.report.html.browser.conftest import GIT
+from tests.report.html.browser.conftest import commit, write_report
 from tests.report.html.browser.reading import drawn
 from tests.report.html.browser.test_first_sight import ROBOTS
 from tests.report.html.browser.test_tasks import MOST, Steps
@@ -28,23 +25,8 @@ PLACES = """() => Object.fromEntries([...document.querySelectorAll("#drawing > s
 
 
 def written(directory: Path, launch: str, target: Path, *words: str) -> None:
-    environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
-    command = [
-        sys.executable,
-        "-m",
-        "launchlint",
-        "report",
-        launch,
-        "-o",
-        str(target),
-        "--quiet",
-        "--jobs",
-        "1",
-        "--workspace",
-        ".",
-        *words,
-    ]
-    subprocess.run(command, cwd=directory, env=environment, check=True)
+    """Write the page of a robot, which is a workspace of its own."""
+    write_report(directory, target, launch, "--workspace", ".", *words)
 
 
 def add_newcomer(launch: Path, robot: str, package: str, program: str, words: str = "") -> None:
@@ -107,8 +89,7 @@ def test_what_a_change_did(browser: Browser, tmp_path: Path, robot: str) -> None
     directory, target, launch = tmp_path / "robot", tmp_path / "report.html", ROBOTS[robot]
     shutil.copytree(Path(str(find_corpus())) / robot, directory, symlinks=True)
     shutil.rmtree(directory / ".git", ignore_errors=True)
-    for words in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "before")):
-        subprocess.run([*GIT, *words], cwd=directory, check=True)
+    commit(directory)
     add_newcomer(directory / launch, robot, "topic_tools", "relay", "newcomer_in newcomer_out")
     written(directory, launch, target, "--base", "HEAD")
     page = opened(browser, target, f"#entry={launch}")
