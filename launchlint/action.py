@@ -12,9 +12,9 @@ import secrets
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.errors import UsageError
+from launchlint.named_tuple import NamedTuple
 from launchlint.report.escape import github_message
 
 LONGEST_SUMMARY = 1_000_000

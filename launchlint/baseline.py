@@ -11,12 +11,13 @@ import os
 import re
 import stat
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint.atomic import write_text
 from launchlint.errors import ConfigurationError
 from launchlint.finding import Finding
 from launchlint.fingerprint import fingerprint
+from launchlint.named_tuple import NamedTuple
 from launchlint.order import ordered
 
 _VERSION = 1

@@ -7,8 +7,8 @@ printed without any file being opened again.
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place, Source, Span
 
 LONGEST_LINE = 4_000

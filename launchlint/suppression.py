@@ -11,10 +11,10 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Edit, Finding, Location
 from launchlint.fix.format.directives import directive
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.remarks import Remark
 

@@ -39,6 +39,7 @@ FLOORS = (
     ("atomic", "fingerprint", "garbage", "late", "machinery", "order", "pool", "spelling", "words", "yaml"),
     ("model",),
     ("finding", "problem", "source", "errors", "plural", "sight", "verdict"),
+    ("named_tuple",),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else
 )
 FLOOR = {room: len(FLOORS) - number for number, rooms in enumerate(FLOORS) for room in rooms}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.listing import SOURCE_ENDS
 
 _LAUNCH = frozenset({".launch", ".test", ".xml", ".py"})

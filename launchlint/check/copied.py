@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Related, Severity
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.joined import joined
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.joined import joined, led_by
 
 PREFIX = "block "

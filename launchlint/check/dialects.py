@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Sequence
-from typing import NamedTuple
 
 from launchlint.check.options import EntryRequest
 from launchlint.evaluate.session import Session
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.discovery import PYTHON_END, is_program
 
 

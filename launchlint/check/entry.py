@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import copy
 from functools import cached_property, partial
 from itertools import islice
-from typing import NamedTuple
 
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, check_parameters, internal_error, is_left_over, run_rule, tell
 from launchlint.check.listing import Listing
@@ -20,6 +19,7 @@ from launchlint.evaluate.problems import IncludeMissingArg, IncludeUndeclaredArg
 from launchlint.evaluate.session import Session
 from launchlint.finding import Finding, Key, Location, Severity
 from launchlint.model import ROS1, Launch
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.check.listing import Listing
 from launchlint.finding import Finding, Location
 from launchlint.model import ROS1
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.rules.registry import Entry, speaking_of
 from launchlint.rules.rule import Fine

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.ignores import PerFileIgnores
@@ -19,6 +18,7 @@ from launchlint.finding import Edit, Finding, Severity
 from launchlint.fix import manifest
 from launchlint.fix.edits import CannotEdit, Claims, Shift, apply
 from launchlint.fix.guard import Caller, Guard
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.registry import RULES
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from typing import TypeVar
 
 from launchlint.finding import Finding
 
-Found = TypeVar("Found")
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Found = TypeVar("Found")
 
 MOST_LISTED = 1_000
 """Findings of one rule in one configuration of an entry file, and in one file by itself."""

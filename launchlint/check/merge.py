@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
@@ -14,6 +13,7 @@ from launchlint.check.known import Known
 from launchlint.check.options import Options
 from launchlint.check.ours import Ours
 from launchlint.finding import Finding, Key, Severity
+from launchlint.named_tuple import NamedTuple
 from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
 from launchlint.rules.rule import Fine

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.finding import Severity
 from launchlint.fix.format.style import Style
+from launchlint.named_tuple import NamedTuple
 
 Arguments = tuple[tuple[str, str], ...]
 

@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from functools import partial
-from typing import TypeVar
 
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.options import EntryRequest, Options
@@ -20,8 +19,12 @@ BATCH = 40
 
 Progress = Callable[[int], None]
 ReadingProgress = Callable[[int, int], None]
-Checker = TypeVar("Checker", bound=EntryChecker)
-Result = TypeVar("Result")
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Checker = TypeVar("Checker", bound=EntryChecker)
+    Result = TypeVar("Result")
 
 
 def check_entries(

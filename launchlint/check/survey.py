@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.check.ahead import read_ahead
 from launchlint.check.entry import EntryChecker, EntryResult
@@ -17,6 +16,7 @@ from launchlint.finding import Finding, Key
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.details import NO_DETAILS, Details, details
 from launchlint.graph.topology import Topology, place_text, topology
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.rule import Fine
 from launchlint.source import Place, Span
 

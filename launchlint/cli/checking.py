@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import NamedTuple
 
 from launchlint import __version__
 from launchlint.cli.entries import parse_severity, tell, use_color
 from launchlint.errors import UsageError
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.project.asked import EntryOptions, leave_others_out
 

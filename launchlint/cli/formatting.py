@@ -6,11 +6,11 @@ import os
 import sys
 from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
 
 from launchlint.cli.entries import tell, use_color
 from launchlint.errors import UsageError
 from launchlint.fix.format.formatting import Formatted, formatted
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.project.asked import EntryOptions, leave_others_out, style_of
 

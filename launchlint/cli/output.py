@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from launchlint.check.causes import told_once
 from launchlint.check.entry import EntryResult
@@ -14,6 +13,7 @@ from launchlint.check.merge import Outcome, merge
 from launchlint.check.options import Options
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
+from launchlint.named_tuple import NamedTuple
 from launchlint.report.formats import emit, parse, write
 from launchlint.report.run import RuleMetadata, Run, files_below
 from launchlint.sight import NOTHING

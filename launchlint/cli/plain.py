@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from launchlint.cli.checking import CheckOptions
 from launchlint.project.asked import EntryOptions
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from launchlint.cli.reporting import ReportOptions
 
 _BOTH_FLAGS = {"-q": "quiet", "--quiet": "quiet", "--no-extract": "no_extract"}

@@ -6,9 +6,10 @@ import os
 import sys
 import time
 from contextlib import contextmanager
-from typing import NamedTuple
 
 import click
+
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -7,7 +7,6 @@ import sys
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import NamedTuple
 
 from launchlint import __version__
 from launchlint.check.causes import told_once
@@ -22,6 +21,7 @@ from launchlint.cli.since import Since, since
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
 from launchlint.fingerprint import fingerprints
+from launchlint.named_tuple import NamedTuple
 from launchlint.project.asked import EntryOptions, leave_others_out
 from launchlint.project.material import (
     base_only,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.check.causes import told_once
 from launchlint.check.entry import EntryResult
@@ -14,6 +13,7 @@ from launchlint.check.options import EntryRequest
 from launchlint.check.survey import Surveyed, Surveyor, reached
 from launchlint.finding import Finding
 from launchlint.fingerprint import fingerprints
+from launchlint.named_tuple import NamedTuple
 from launchlint.verdict import Verdict
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from launchlint import __version__
+from launchlint.named_tuple import NamedTuple
 
 ADDRESS = "https://github.com/launchlint/launchlint"
 GUIDE = "https://launchlint.readthedocs.io/en/stable/"

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
 from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter, Value
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
@@ -29,6 +28,7 @@ from launchlint.model import (
     Scope,
     ScopedSetting,
 )
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Source
 from launchlint.syntax.tree import Document

@@ -8,7 +8,6 @@ the blocks of one entry file into a :class:`~launchlint.model.Launch`.
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
 from launchlint.model import (
     Argument,
@@ -23,6 +22,7 @@ from launchlint.model import (
     ScopedSetting,
     Unknown,
 )
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place
 from launchlint.syntax.tree import Document

@@ -11,22 +11,41 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice, product
-from typing import NamedTuple, Protocol
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.block import Side
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Set
-    from typing import TypeAlias
+    from typing import Protocol, TypeAlias
 
     Pairs: TypeAlias = tuple[tuple[str, str], ...]
     """Args that are given, with their values."""
     Enter: TypeAlias = Callable[[Session, str, Pairs, frozenset[str], Set[Side] | None], Evaluation | None]
     """Evaluates an entry file; None where nothing but these sides of conditions would be seen."""
+
+    class Flow(Protocol):
+        """What one evaluation says of the args of its entry file."""
+
+        def telling(self, given: Pairs) -> Pairs:
+            """The args of ``given`` without those that get what they have anyway."""
+
+        def has(self, pairs: Pairs) -> bool:
+            """Whether all args of ``pairs`` have these values in this configuration."""
+
+        def literals(self, name: str) -> tuple[str, ...]:
+            """What the arg ``name`` is compared with anywhere."""
+
+        def turning(self, branch: Branch) -> Iterator[tuple[str, str]]:
+            """Args with values that may turn a condition: what it compares them with, or the opposite boolean."""
+
+        def breaks_text(self, changes: Pairs) -> bool:
+            """Whether a boolean went to an arg that turns out to be text in a file that only this configuration reaches."""
+
 
 MOST_EVALUATIONS = 48
 """Evaluations of one entry file, tried ones included; real files need 1.6 on average."""
@@ -34,25 +53,6 @@ MOST_EVALUATIONS = 48
 MOST_TOGETHER = 3
 MOST_COMBINATIONS = 24
 """Args that are changed together for one condition, and how many combinations of their values are tried."""
-
-
-class Flow(Protocol):
-    """What one evaluation says of the args of its entry file."""
-
-    def telling(self, given: Pairs) -> Pairs:
-        """The args of ``given`` without those that get what they have anyway."""
-
-    def has(self, pairs: Pairs) -> bool:
-        """Whether all args of ``pairs`` have these values in this configuration."""
-
-    def literals(self, name: str) -> tuple[str, ...]:
-        """What the arg ``name`` is compared with anywhere."""
-
-    def turning(self, branch: Branch) -> Iterator[tuple[str, str]]:
-        """Args with values that may turn a condition: what it compares them with, or the opposite boolean."""
-
-    def breaks_text(self, changes: Pairs) -> bool:
-        """Whether a boolean went to an arg that turns out to be text in a file that only this configuration reaches."""
 
 
 class Way(NamedTuple):

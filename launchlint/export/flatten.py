@@ -6,7 +6,6 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.ros1.file import Exhausted
@@ -21,6 +20,7 @@ from launchlint.fix.format.formatting import formatted
 from launchlint.fix.format.style import Style
 from launchlint.fix.meaning import Meaning, difference, meaning
 from launchlint.model import Launch
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import parse
 

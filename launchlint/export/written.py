@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.evaluate.block import Value
 from launchlint.model import Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros1.substitutions import only_arg, parse
 
 

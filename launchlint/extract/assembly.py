@@ -9,12 +9,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable
-from typing import NamedTuple
 
 from launchlint.extract.definitions import Library
 from launchlint.extract.fact import Plugin
 from launchlint.extract.scanned import Files, scan, text_of
 from launchlint.extract.template import Template, filled, template_of
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace import looking
 from launchlint.workspace.cmake_exports import Exported, exported_commands
 from launchlint.workspace.cmake_facts import read_cmake

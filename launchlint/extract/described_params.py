@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.errors import ConfigurationError
 from launchlint.extract.fact import Descriptor
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace import looking
 from launchlint.workspace.yaml_nodes import MAPPING, SCALAR, SEQUENCE, Node, parse_document
 

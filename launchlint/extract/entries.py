@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint import model
 from launchlint.extract.fact import Descriptor, Doubt, Fact, Made, Qos
 from launchlint.machinery import ACTION_TOPICS, EVERYWHERE
+from launchlint.named_tuple import NamedTuple
 
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 LONGEST_NAME = 1_000

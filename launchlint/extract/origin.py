@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.reading import read_bytes
 
 _LARGEST = 4 << 20

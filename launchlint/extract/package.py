@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint import __version__
 from launchlint.extract.plan import Plan, plan
 from launchlint.extract.reading import ProgramReader, Reading
 from launchlint.extract.task import Skipped
+from launchlint.named_tuple import NamedTuple
 
 PARALLEL_FROM = 8
 """Programs from which a second process pays."""

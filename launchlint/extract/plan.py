@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.errors import UsageError
 from launchlint.extract.ament_package import AmentPackage
@@ -13,6 +12,7 @@ from launchlint.extract.catkin_package import CatkinPackage
 from launchlint.extract.origin import Origin, origin_of
 from launchlint.extract.package_reader import PackageReader
 from launchlint.extract.task import Skipped, Task
+from launchlint.named_tuple import NamedTuple
 from launchlint.spelling import did_you_mean
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages

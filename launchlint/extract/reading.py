@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint.errors import UsageError
 from launchlint.extract.entries import ANY, CATEGORIES, ROS1, ROS2, variant_of
@@ -14,6 +14,7 @@ from launchlint.extract.literals import SOURCE_ENDS, literals
 from launchlint.extract.python.modules import PackageModules
 from launchlint.extract.python.program import Extracted, python_program
 from launchlint.extract.task import Task
+from launchlint.named_tuple import NamedTuple
 from launchlint.python.source import SourceError
 from launchlint.workspace.looking import read_bytes, watched
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.extract.fact import Plugin
 from launchlint.extract.origin import Origin
 from launchlint.extract.template import Template
+from launchlint.named_tuple import NamedTuple
 
 _OF_ROS2 = frozenset(("rclpy", "rclcpp", "component", "container"))
 """The classes of programs of ROS 2."""

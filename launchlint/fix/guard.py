@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
-from typing import NamedTuple
 
 from launchlint.dialects.door import configurations, dialect_of, evaluate
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.session import Read, Session
 from launchlint.fix.hidden import Hidden
 from launchlint.fix.meaning import difference, meaning
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

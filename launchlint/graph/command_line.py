@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.graph.names import Rule
 from launchlint.library.template import Undetermined
 from launchlint.model import Node
+from launchlint.named_tuple import NamedTuple
 from launchlint.words import split_words
 
 TYPE_CHECKING = False

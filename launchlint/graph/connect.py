@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import NamedTuple
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.command_line import CommandLine, command_line
@@ -24,6 +23,7 @@ from launchlint.library.lookup import Library
 from launchlint.library.program import Program
 from launchlint.library.template import UNKNOWN
 from launchlint.model import ROS1, Launch, Node, Role
+from launchlint.named_tuple import NamedTuple
 
 NODELET = ("nodelet", "nodelet")
 """The executable that runs, loads and manages nodelets."""

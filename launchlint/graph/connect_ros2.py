@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from functools import partial
-from typing import NamedTuple
 
 from launchlint.graph.command_line import CommandLine
 from launchlint.graph.connections import Instance
@@ -18,6 +17,7 @@ from launchlint.library.lookup import Library
 from launchlint.library.program import Program, Variant
 from launchlint.library.template import fill, parse
 from launchlint.model import Launch, Node, Role
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl.names import is_node_name
 from launchlint.source import Place
 

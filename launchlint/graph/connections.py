@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.graph.frames import Frame
 from launchlint.graph.names import Applied, Namer, matches
@@ -11,6 +10,7 @@ from launchlint.graph.parameters import Parameters
 from launchlint.graph.qos import NO_QOS
 from launchlint.library.program import Declaration
 from launchlint.model import Launch, Node
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.graph.topology import Topology, TopologyNode
+from launchlint.named_tuple import NamedTuple
 
 DEEPEST = 32
 """Levels of nesting that are told apart, counted from outside: what hostile files nest deeper would cost more than anybody wants to see."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.doubts import End, MayBe, Partly, doubts
 from launchlint.graph.topology import origin_text, place_text, value_text
 from launchlint.model import Argument, Launch
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 
 

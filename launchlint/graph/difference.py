@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.graph.connections import HUBS
 from launchlint.graph.partners import Partners
 from launchlint.graph.topology import Connection, Topology, TopologyChannel, TopologyNode
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

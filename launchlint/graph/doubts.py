@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
 from launchlint.graph.connections import Channel, ConnectionGraph, Endpoint
+from launchlint.named_tuple import NamedTuple
 
 End = tuple[str, str, bool]
 """Kind and name of a channel, and whether the end that offers (publishes, serves) is meant."""

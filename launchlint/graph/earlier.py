@@ -7,11 +7,11 @@ launch files and the conditions included; then all that follows from the node al
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
 
 from launchlint.graph.connections import Instance
 from launchlint.graph.parameters import Parameters
 from launchlint.model import Node
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 
 TYPE_CHECKING = False

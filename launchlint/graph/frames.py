@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.graph.names import Namer, absolute
 from launchlint.graph.situation import Start
 from launchlint.library.condition import holds
 from launchlint.library.program import Program
 from launchlint.library.template import Slot, Template, Undetermined, fill, parse
+from launchlint.named_tuple import NamedTuple
 
 
 class Frame(NamedTuple):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
-from typing import NamedTuple
 
 from launchlint.graph.connections import CATEGORY, Doubt, Endpoint, Reading
 from launchlint.graph.names import Namer, Resolved, absolute, clean, matches
@@ -12,6 +11,7 @@ from launchlint.graph.situation import Start
 from launchlint.library.condition import holds, things
 from launchlint.library.program import Declaration, Program
 from launchlint.library.template import UNKNOWN, Undetermined, fill, is_template, parse
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -19,10 +19,10 @@ of the process for nothing. So the relative names of a nodelet in no namespace l
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.graph.qos import NO_QOS
 from launchlint.model import Remap
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

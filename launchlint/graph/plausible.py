@@ -14,7 +14,6 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property, partial
 from itertools import islice
-from typing import NamedTuple
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.connections import Doubt, Instance
@@ -23,6 +22,7 @@ from launchlint.graph.names import absolute, around
 from launchlint.graph.parameters import Parameters
 from launchlint.library.terms import CATEGORIES
 from launchlint.model import Launch
+from launchlint.named_tuple import NamedTuple
 from launchlint.words import split_words
 
 TYPE_CHECKING = False

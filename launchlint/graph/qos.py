@@ -7,9 +7,9 @@ Params may change it where the program lets them (``rclcpp::QosOverridingOptions
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.library.template import fill, is_template, parse
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
-from typing import NamedTuple
 
 from launchlint.graph.topology import Connection, Container, Topology, TopologyNode, TopologyParam
+from launchlint.named_tuple import NamedTuple
 
 KINDS = ("topic", "service", "action", "param")
 

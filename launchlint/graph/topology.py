@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from operator import itemgetter
-from typing import NamedTuple
 
 from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.graph.doubts import NO_DOUBTS, NOTHING_PARTLY, End, MayBe, Partly
@@ -15,6 +14,7 @@ from launchlint.graph.names import kind as spelling_of
 from launchlint.graph.qos import qos_text
 from launchlint.library.terms import evidence_text
 from launchlint.model import Binary, Command, Condition, Node, Scope, Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Origin, Place
 
 TYPE_CHECKING = False

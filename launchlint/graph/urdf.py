@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 LARGEST = 4 << 20
 """Characters of a description that is read."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
 from launchlint.evaluate.session import Read
 from launchlint.ide.view import Target, View, mentions_in
 from launchlint.model import ROS1
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
 from launchlint.ide.navigation import target_of_place
 from launchlint.ide.view import Snapshot, Target
+from launchlint.named_tuple import NamedTuple
 
 
 class Call(NamedTuple):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-from typing import NamedTuple
 
 from launchlint.ide.args import declared
 from launchlint.ide.context import Context, context_at
@@ -14,6 +13,7 @@ from launchlint.ide.ros2.context import XML_NAMES, keywords, python_context, yam
 from launchlint.ide.tables import Tables
 from launchlint.ide.view import View
 from launchlint.model import ROS1
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 from launchlint.workspace.discovery import may_be_launch_file
 from launchlint.workspace.executables import ExecutableIndex

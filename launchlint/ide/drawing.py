@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.ide.navigation import target_of_place
 from launchlint.ide.view import Target, View, is_made_by
+from launchlint.named_tuple import NamedTuple
 
 
 class Shown(NamedTuple):

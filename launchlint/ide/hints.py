@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.graph.connections import OFFERS
 from launchlint.ide.files import arg_values
 from launchlint.ide.hover import instance_of, partners
 from launchlint.ide.view import View, is_made_by
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.source import Span
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.graph.connections import OFFERS
 from launchlint.ide.args import declared, owner
 from launchlint.ide.files import arg_values, file_named, package_of, program_file
 from launchlint.ide.view import View, is_made_by
 from launchlint.model import Command, Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 
 TYPE_CHECKING = False

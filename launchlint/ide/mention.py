@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 
 TYPE_CHECKING = False

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import re
-from typing import NamedTuple
 
 from launchlint.graph.connections import OFFERS
 from launchlint.ide.args import Use, mentions_of, owner, uses
 from launchlint.ide.files import file_named, package_of, program_file
 from launchlint.ide.view import Target, View, is_made_by
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place, Span
 
 TYPE_CHECKING = False

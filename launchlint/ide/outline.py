@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
 from launchlint.ide.navigation import START, target_of_place
 from launchlint.ide.view import Target, View
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 
 TYPE_CHECKING = False

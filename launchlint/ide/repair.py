@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.finding import Edit, Finding
 from launchlint.fix.format.formatting import formatted
 from launchlint.ide.view import View
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 
 

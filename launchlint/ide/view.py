@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import NamedTuple
 
 from launchlint.dialects.door import dialect_of
 from launchlint.evaluate.session import Read
 from launchlint.ide.mention import Mention, at
 from launchlint.model import ROS1
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Source, Span
 from launchlint.syntax.recovery import Recovered, recovered
 from launchlint.syntax.tree import Document

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import NamedTuple
 
 from launchlint.model import ROS1, ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 

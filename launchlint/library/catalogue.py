@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.errors import UsageError
 from launchlint.library.format import TABLES
 from launchlint.library.lookup import Library
 from launchlint.library.shipped import SEPARATORS
+from launchlint.named_tuple import NamedTuple
 from launchlint.spelling import did_you_mean
 
 TYPE_CHECKING = False

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.library.condition import holds
 from launchlint.library.template import is_template
 from launchlint.library.terms import CATEGORIES, FRAMES
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

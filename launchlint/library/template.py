@@ -7,14 +7,14 @@ value (the entry does not exist), or an :class:`Undetermined` where a part canno
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Final, NamedTuple
 
 from launchlint.late import late
 from launchlint.library.terms import DEEPEST_CONDITION
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, Protocol
+    from typing import Any, Final, Protocol
 
     class Situation(Protocol):
         """What templates and conditions look into: one node as it is started. Values may be :data:`UNKNOWN`."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.library.condition import QUESTIONS, pattern_of
 from launchlint.library.format import (
@@ -25,6 +24,7 @@ from launchlint.library.format import (
 from launchlint.library.shapes import LONGEST_NAME, Amount, Choice, Entries, Flag, Items, Keys, Number, Plain, Rule, Shape, Text
 from launchlint.library.template import TemplateError, is_template, parse
 from launchlint.model import ROS1, ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.spelling import did_you_mean
 
 TYPE_CHECKING = False

@@ -10,8 +10,8 @@ import os
 import shlex
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.probe.words import MEANT, is_a, repository_url
 from launchlint.workspace.yaml_nodes import MAPPING, SCALAR, SEQUENCE, Document, Node, read_document, shown
 

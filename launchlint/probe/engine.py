@@ -11,9 +11,9 @@ import tarfile
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import NamedTuple
 
 from launchlint.errors import LaunchlintError, UsageError
+from launchlint.named_tuple import NamedTuple
 from launchlint.probe.configuration import Limits
 from launchlint.probe.words import plain
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.library.format import CATEGORIES, FORMAT, VERSION, VERSION_2
 from launchlint.library.validate import faults
 from launchlint.model import ROS1, ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.probe.words import is_a, is_package, plain
 
 TYPE_CHECKING = False

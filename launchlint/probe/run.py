@@ -9,9 +9,10 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 from launchlint.errors import UsageError
+from launchlint.named_tuple import NamedTuple
 from launchlint.probe.configuration import Limits, ProbeConfiguration
 from launchlint.probe.journal import Done, Journal
 from launchlint.probe.record import LaunchRecord, NodeRecord, Note, parse

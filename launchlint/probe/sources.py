@@ -14,9 +14,9 @@ import stat
 import subprocess
 import tarfile
 from collections.abc import Collection, Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.errors import UsageError
+from launchlint.named_tuple import NamedTuple
 from launchlint.probe.configuration import Repository
 from launchlint.probe.words import plain
 

@@ -6,9 +6,9 @@ import os
 import shlex
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
 from launchlint.model import ROS1, ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.probe.words import is_a, is_package
 from launchlint.workspace.ros2_distributions import DEFAULT
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.options import EntryRequest, Options
+from launchlint.named_tuple import NamedTuple
 
 
 class Wanted(NamedTuple):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.options import EntryRequest
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import state
 from launchlint.workspace.states import Looks, Shared, places_of
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
 
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.options import EntryRequest
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.finding import Finding
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.rule import Fine
 
 TYPE_CHECKING = False

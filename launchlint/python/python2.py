@@ -7,7 +7,8 @@ parameters that are tuples, tabs that count as eight columns.
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 _TOKEN = re.compile(
     r"""(?P<blank>[ \t\f]+|\\\r?\n)

@@ -5,7 +5,9 @@ Python's own ``str``, ``int``, ``float``, ``bool``, ``bytes`` and ``None`` stand
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
+
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ end with an error for it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl import lexer, parameter_rule, remap
 from launchlint.rcl.lexer import Lexemes
 from launchlint.rcl.refused import Refused

@@ -7,7 +7,8 @@ YAML: ``010`` is 8, ``08`` is 8.0, ``1e3`` and ``inf`` are doubles, ``y`` is tru
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl import lexer
 from launchlint.rcl.lexer import Lexemes
 from launchlint.rcl.refused import Refused

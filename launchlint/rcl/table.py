@@ -7,8 +7,8 @@ Source: ``rcl_yaml_param_parser`` (``find_node``, ``find_parameter``, ``rcl_vari
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl.parameter_value import NONE, ScalarValue, Value
 from launchlint.source import Span
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from typing import NamedTuple
 
 from launchlint.atomic import write_text
 from launchlint.errors import UsageError
 from launchlint.finding import Finding
+from launchlint.named_tuple import NamedTuple
 from launchlint.report.run import Run
 from launchlint.spelling import did_you_mean
 

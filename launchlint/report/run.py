@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.named_tuple import NamedTuple
 from launchlint.sight import NOTHING, Sight
 from launchlint.verdict import Verdict
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
 from unicodedata import category, east_asian_width
 
 from launchlint.finding import Location
+from launchlint.named_tuple import NamedTuple
 from launchlint.report.escape import visible
 
 _TAB = 4

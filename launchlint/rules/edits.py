@@ -7,9 +7,9 @@ entity has no place of its own in the file, and is left alone.
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from launchlint.finding import Edit, Fix
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.view import FileView, GraphView, LaunchView
 from launchlint.source import Place, Source
 from launchlint.syntax.ros1.substitutions import opens

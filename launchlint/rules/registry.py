@@ -11,12 +11,12 @@ from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
 from sys import modules
-from typing import NamedTuple
 
 import launchlint.evaluate.problems as evaluate
 import launchlint.syntax.problems as syntax
 from launchlint.finding import Severity
 from launchlint.model import ROS1, ROS2, DialectName
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 
 TYPE_CHECKING = False

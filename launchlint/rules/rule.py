@@ -12,9 +12,8 @@ is in order here". A finding of the same rule at a place that is in order in any
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.finding import Finding, Fix, Location, Related, Severity
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Origin, Place
 
 TYPE_CHECKING = False

@@ -6,13 +6,13 @@ import posixpath
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from types import MappingProxyType
-from typing import NamedTuple
 
 from launchlint.dialects.door import named
 from launchlint.dialects.record import Dialect
 from launchlint.finding import Finding, Location
 from launchlint.fix.format.style import Style
 from launchlint.model import ROS2, Launch
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Place, Source
 from launchlint.syntax.tree import Document

@@ -5,8 +5,7 @@ A rule asks for the words of the place it tells of, and puts them into its sente
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Origin, Place
 
 TYPE_CHECKING = False

@@ -9,7 +9,7 @@ import asyncio
 import logging
 import threading
 from collections.abc import Callable, Collection, Iterable, Mapping
-from typing import NamedTuple, TypeVar, cast
+from typing import TypeVar, cast
 
 from launchlint.check.causes import told_once
 from launchlint.errors import LaunchlintError
@@ -17,6 +17,7 @@ from launchlint.evaluate.session import Session, Stopped
 from launchlint.finding import Finding
 from launchlint.garbage import look
 from launchlint.ide.view import Snapshot
+from launchlint.named_tuple import NamedTuple
 from launchlint.project.workspace import OpenWorkspace
 
 TYPE_CHECKING = False

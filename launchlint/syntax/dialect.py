@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
-from typing import NamedTuple
 
 from launchlint.model import ROS1, ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.ros1.domains import PARAM_TYPES
 from launchlint.syntax.ros1.substitutions import COMMANDS

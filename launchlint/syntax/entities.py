@@ -7,9 +7,9 @@ entities only since 2.7. So the declarations are read from the text first, by a 
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 
 MAX_EXPANSION = 8 * 1024 * 1024
 """Characters that all references of a file may expand to (expat's own activation threshold)."""

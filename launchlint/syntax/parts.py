@@ -8,7 +8,8 @@ value holds references such as ``&quot;``. The texts of all parts, joined, are t
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

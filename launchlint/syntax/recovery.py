@@ -10,10 +10,10 @@ from __future__ import annotations
 import ast
 import pyexpat as expat
 import re
-from typing import NamedTuple
 
 from launchlint.finding import Edit
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 
 _NAME = r"[A-Za-z_:][\w:.-]*"
 _OPEN = late(rf"<({_NAME})")

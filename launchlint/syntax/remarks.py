@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 from launchlint.syntax.tree import Document, Element
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import Literal, NamedTuple
+from typing import Literal
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 
 NAME = re.compile(r"[^\s<>/=\"'&;]+")

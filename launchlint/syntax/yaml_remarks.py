@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Source, Span
 from launchlint.syntax.remarks import Remark
 

@@ -6,9 +6,9 @@ Facts from cmake-language(7): comments, bracket comments, quoted, unquoted and b
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 
 # One step of the tokenizer each; possessive in effect, since every alternative starts with a different character.
 _SPACE = late(r"(?:[\s;]|#(?!\[=*\[)[^\n]*)+")

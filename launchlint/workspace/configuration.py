@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.entries import Entry, arguments_of, entries_of, load_entries
 from launchlint.workspace.repository import repository_root
 from launchlint.workspace.ros2_distributions import DISTRIBUTIONS

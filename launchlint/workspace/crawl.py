@@ -14,8 +14,8 @@ noted where rospkg would stop with a traceback; links that lead back to where on
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, identify
 from launchlint.workspace.reading import read_bytes
 

@@ -6,9 +6,8 @@ They stand in the configuration (key ``entries``) and in the file that ``--entri
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.errors import ConfigurationError
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.reading import read_bytes
 from launchlint.workspace.yaml_nodes import SCALAR, Document, Node, parse_document, shown
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.cmake_facts import CMAKE_FILE, read_cmake
 from launchlint.workspace.cmake_made import Made
 from launchlint.workspace.cmake_taking import matches, takes

@@ -10,8 +10,8 @@ import os
 import re
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import content
 from launchlint.workspace.repository import repository_root
 

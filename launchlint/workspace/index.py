@@ -8,9 +8,9 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.errors import UsageError
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.discovery import is_launch_content, may_be_launch_file
 from launchlint.workspace.git import FILE_MODES, contents, git, reason
 from launchlint.workspace.listing import may_be_source

@@ -9,7 +9,8 @@ import os
 from _thread import _local
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import NamedTuple, TypeVar
+
+from launchlint.named_tuple import NamedTuple
 
 MOST_NAMES = 2_000
 """Directory entries that are looked at: a directory may be of any size, and all of this is only for hints."""
@@ -24,7 +25,11 @@ _PYTHON_ENVIRONMENT = "pyvenv.cfg"
 PART = "//"
 """Between a file and the part of its text that matters (:func:`launchlint.workspace.texts.parts`): it stands in no absolute path."""
 
-T = TypeVar("T")
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    T = TypeVar("T")
 
 
 class Looked(NamedTuple):

@@ -11,8 +11,8 @@ import os
 import re
 from collections.abc import Callable, Mapping
 from pyexpat import ExpatError, ParserCreate
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place, Source, Span
 from launchlint.workspace.reading import read_bytes
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from pyexpat import ExpatError, ParserCreate
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import read_bytes
 from launchlint.workspace.package import Package
 

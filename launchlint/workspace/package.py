@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Mapping
 from copy import copy
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import note
 from launchlint.workspace.manifest import Manifest, read_manifest
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.crawl import Way, crawl_all
 from launchlint.workspace.package import Package
 from launchlint.workspace.prefixes import is_installed

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.errors import UsageError
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.git import FILE_MODES, contents, git, reason, sizes
 
 LARGEST_FILE = 4 << 20

@@ -7,8 +7,9 @@ signs only (see :mod:`launchlint.yaml.tree`).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.yaml.refusals import YamlError, explain
 from launchlint.yaml.tree import YamlBeyond
 

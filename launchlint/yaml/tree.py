@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection
-from typing import Any, NamedTuple
+from typing import Any
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.yaml.refusals import COLON, YamlError, explain
 
 SCALAR, SEQUENCE, MAPPING = range(3)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import NamedTuple
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.ros1.arg_uses import ArgUses, arg_uses, is_boolean, settled_defaults
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch, Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros1.substitutions import expression_in
 
 MOST_PLACES = 2_000

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import is_computed, opens, parse, parts_of
 

@@ -6,12 +6,12 @@ Kept is what hangs on nothing but these args and the packages, and of which ther
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.problems import PackageNotFound
 from launchlint.evaluate.ros1.scope import Context
 from launchlint.evaluate.ros1.substitution import resolve
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Span
 from launchlint.syntax.parts import Parts, Substitution

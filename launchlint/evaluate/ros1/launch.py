@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping, Set
-from typing import NamedTuple
 
 from launchlint.evaluate.assemble import Evaluation, assemble, not_loadable
 from launchlint.evaluate.block import Block, Side, Value
@@ -15,6 +14,7 @@ from launchlint.evaluate.ros1.launch_tags import enter
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Origin, Source
 from launchlint.syntax.problems import RootNotLaunch, UnreadableFile
 

@@ -5,11 +5,12 @@ Sources: roslaunch.loader.load_rosparam and add_param, and the constructors that
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint.evaluate.expression.errors import UnknownValue
 from launchlint.evaluate.ros1.values import shown
 from launchlint.evaluate.ros1.yaml_values import Constructor, Duplicate, YamlUnknown, with_angles
+from launchlint.named_tuple import NamedTuple
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import Node, Reader, YamlBeyond, parse
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TypeAlias
 
 from launchlint.evaluate.block import PrivateParameter, Value
 from launchlint.late import late
@@ -11,7 +10,7 @@ from launchlint.model import Condition, EnvironmentSetting, Remap, Scope, Unknow
 from launchlint.source import Origin, Place
 from launchlint.syntax.tree import Element
 
-PrivateParameters: TypeAlias = dict[str, PrivateParameter]
+PrivateParameters = dict[str, PrivateParameter]
 """The ``~params`` that are set, by key, in the order in which they were set last."""
 _WORD = late(r"[\w./-]+")
 """As the name of an arg is written in a condition."""

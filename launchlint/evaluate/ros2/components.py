@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2 import component_parameters
 from launchlint.evaluate.ros2.context import Value
@@ -15,6 +14,7 @@ from launchlint.evaluate.ros2.processes import text_of
 from launchlint.evaluate.ros2.setting_actions import remapping
 from launchlint.evaluate.ros2.walk import STARTING, Walk
 from launchlint.model import Condition, Node, Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl.names import full_name
 from launchlint.syntax.ros2 import description as described
 

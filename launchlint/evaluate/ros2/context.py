@@ -8,7 +8,6 @@ added inside still in it. What ``$(dirname)`` says is changed by an include and 
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2.scopes import (
     Moment,
@@ -24,6 +23,7 @@ from launchlint.evaluate.ros2.scopes import (
     is_same,
 )
 from launchlint.model import Remap, Unknown
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

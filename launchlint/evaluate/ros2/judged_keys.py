@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2.parameter_problems import ComponentKeyIgnored, NamedForUnnamed, NumberStaysText, ParametersForNobody
 from launchlint.evaluate.ros2.rcl_files import table_of
 from launchlint.evaluate.session import WRITTEN
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl.parameter_value import scalar
 from launchlint.rcl.table import Key, Table, reaches
 from launchlint.source import Origin, Place

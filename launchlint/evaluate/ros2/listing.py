@@ -8,10 +8,10 @@ a condition makes what stands directly below it conditional, and neither what st
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2.performing import Failure, Performer
 from launchlint.model import Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros2.description import Action, Argument, Description, Group, Handler, Include, Maybe, Reset, Timer
 
 TYPE_CHECKING = False

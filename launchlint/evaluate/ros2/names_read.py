@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Description, Substitution

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
 
 from launchlint.evaluate.problems import InvalidNamespace, InvalidNodeName
 from launchlint.evaluate.ros2.components import load, met_components
@@ -23,6 +22,7 @@ from launchlint.evaluate.ros2.started import Started, started
 from launchlint.evaluate.ros2.substitutions import is_package_name, prefix
 from launchlint.evaluate.ros2.walk import STARTING, Told, Walk, tag_of
 from launchlint.model import EnvironmentSetting, Node, OwnParameters, ParameterSource, Remap, Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Text

@@ -9,13 +9,14 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterable
 from functools import partial
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 from launchlint.evaluate.ros2.parameter_problems import CommandReadAsYaml, ContentNoYaml, ParameterValueType
 from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is_uniform, load_file
 from launchlint.evaluate.session import WRITTEN
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown, UnknownText, shown_text
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl.table import ANY
 from launchlint.source import Source
 from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, Substitution, Text

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2.names_read import OF_LAUNCH, Names, names_of, names_of_refused
 from launchlint.evaluate.ros2.problems import ArgUnused, PassedForNothing
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Origin
 from launchlint.syntax.ros2.description import Description

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2.context import Context, Setting, Value
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source
 from launchlint.syntax.ros2.description import Substitution, Text

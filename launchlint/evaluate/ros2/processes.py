@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2.context import Value
 from launchlint.evaluate.ros2.problems import UnsplittablePrefix
 from launchlint.evaluate.ros2.setting_actions import truth
 from launchlint.evaluate.ros2.walk import Walk
 from launchlint.model import Executable, Process, Unknown, shown_text
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros2 import description as described

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.evaluate.ros2.parameters import source_of
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl import parameter_files
 from launchlint.rcl.refused import Refused
 from launchlint.rcl.table import Table

@@ -6,12 +6,13 @@ all of it is equal once more, what came of the action is taken over, and nothing
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint.evaluate.problems import UndeclaredArg
 from launchlint.evaluate.ros2.context import Setting, Uses
 from launchlint.evaluate.ros2.listing import Listings
 from launchlint.model import Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import IncludeStep, Place
 
 TYPE_CHECKING = False

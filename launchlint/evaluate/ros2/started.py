@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint.evaluate.ros2.parameters import PARAMETERS
 from launchlint.evaluate.ros2.rcl_files import Content, add_content, add_file, content_of
 from launchlint.model import Unknown, UnknownText
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl import arguments
 from launchlint.rcl.names import Names
 from launchlint.rcl.refused import Refused

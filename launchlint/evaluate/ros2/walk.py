@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound, PackageNotFound
 from launchlint.evaluate.ros2.comparing import note_truth
@@ -21,6 +21,7 @@ from launchlint.evaluate.ros2.substitutions import PERFORM
 from launchlint.evaluate.session import Read
 from launchlint.evaluate.steering import steering
 from launchlint.model import Branch, Condition, Declaration, Executable, Include, Node, Remap, Scope, Unknown, shown_text
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Place
 from launchlint.syntax.ros2 import description as described

@@ -5,10 +5,9 @@ A remap that is there on one side only is, on the other, one of the name to itse
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.export.from_ros1.frame import Setting
 from launchlint.export.ros2.comparing import normal
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros2.description import Parameter, Substitution, Text, TypedValue
 
 TYPE_CHECKING = False

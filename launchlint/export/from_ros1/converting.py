@@ -6,7 +6,6 @@ The proof takes what it includes as translated in the same way, and files of par
 from __future__ import annotations
 
 from itertools import islice
-from typing import NamedTuple
 
 from launchlint.dialects.door import named
 from launchlint.evaluate.session import Read, Session
@@ -18,6 +17,7 @@ from launchlint.export.ros2.converting import XML, Converted, written
 from launchlint.export.written import CannotExport
 from launchlint.fix.format.style import Style
 from launchlint.model import ROS1, ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2.reading import Reading
 from launchlint.syntax.ros2.tables import distribution

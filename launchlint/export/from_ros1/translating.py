@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.evaluate.ros1.launch_tags import TAGS
 from launchlint.evaluate.session import Read, Session
 from launchlint.export.from_ros1.choosing import SUBSTITUTION
@@ -12,6 +10,7 @@ from launchlint.export.from_ros1.nodes import MOST_CONDITIONS, Nodes
 from launchlint.export.from_ros1.values import Values
 from launchlint.export.ros2.comparing import normal
 from launchlint.export.ros2.losses import Left, Lost, Remark
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Condition, Description, Pair, Substitution, Text, TypedValue
 from launchlint.syntax.ros2.tables import distribution

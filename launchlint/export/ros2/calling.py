@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import count
-from typing import NamedTuple
 
 from launchlint.dialects.door import named
 from launchlint.model import ROS2, Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Description, Text, unknown
 

@@ -6,8 +6,6 @@ out: the smallest part of an action that can be, else the action; each time it i
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.evaluate.ros2.typed import TypeFault, convert
 from launchlint.export.ros2.ending import ending, shuts_down
 from launchlint.export.ros2.losses import Left, Lost, Remark, cut, in_words, no_tag, shown
@@ -15,6 +13,7 @@ from launchlint.export.ros2.said import SAYABLE
 from launchlint.export.ros2.shaping import Shaper
 from launchlint.export.ros2.texts import NOWHERE, CannotWrite, TextWriter, joined
 from launchlint.export.ros2.xml import attribute_text, check
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import (

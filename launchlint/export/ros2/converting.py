@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import islice
-from typing import NamedTuple
 
 from launchlint.dialects.door import named
 from launchlint.evaluate.session import Read, Session
@@ -20,6 +19,7 @@ from launchlint.export.written import CannotExport
 from launchlint.fix.format.formatting import formatted
 from launchlint.fix.format.style import Style
 from launchlint.model import ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros2.description import Open
 from launchlint.syntax.ros2.reading import read
 from launchlint.syntax.ros2.tables import distribution

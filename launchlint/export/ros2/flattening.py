@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
 from launchlint.dialects.door import named
 from launchlint.evaluate.session import Read, Session
@@ -17,6 +16,7 @@ from launchlint.export.ros2.shaping import shaped
 from launchlint.export.ros2.texts import CannotWrite, asked_variables
 from launchlint.export.written import CannotExport
 from launchlint.model import ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.syntax.ros2.description import AppendEnvironment, Description, Group, SetEnvironment, Timer, UnsetEnvironment
 from launchlint.syntax.ros2.tables import distribution

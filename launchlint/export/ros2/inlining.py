@@ -8,7 +8,6 @@ for them.
 from __future__ import annotations
 
 from collections import deque
-from typing import NamedTuple
 
 from launchlint.evaluate.ros2.actions import execute
 from launchlint.evaluate.ros2.including import enter
@@ -21,6 +20,7 @@ from launchlint.evaluate.session import Read
 from launchlint.export.ros2.kept import Keeper, KeepingContext
 from launchlint.export.ros2.texts import asked_variables
 from launchlint.export.written import CannotExport
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Condition, Description, Pair, Process, Text, TypedValue, unknown

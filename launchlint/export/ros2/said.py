@@ -6,8 +6,7 @@ The other way round is :mod:`launchlint.syntax.ros2.actions`. What each tag take
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Pair, Process, Remap
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from launchlint.extract.cpp import classes, overloads, ros, standard
 from launchlint.extract.cpp.declarations import Class, Function, joined
@@ -34,6 +33,7 @@ from launchlint.extract.cpp.values import (
     node_of,
 )
 from launchlint.extract.fact import ELSEWHERE
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

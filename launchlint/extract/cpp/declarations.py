@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from launchlint.extract.cpp.declarators import (
     function_declarator,
@@ -16,6 +15,7 @@ from launchlint.extract.cpp.declarators import (
 )
 from launchlint.extract.cpp.spelled_type import UNTYPED, Type, parse_type
 from launchlint.extract.cpp.syntax import Node
+from launchlint.named_tuple import NamedTuple
 
 _SCOPES = frozenset(
     """translation_unit declaration_list linkage_specification preproc_if preproc_ifdef preproc_else preproc_elif preproc_elifdef ERROR

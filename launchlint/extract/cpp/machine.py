@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable as Does
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from launchlint.extract.cpp import classes, expressions, overloads, places, statements
 from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
@@ -36,6 +35,7 @@ from launchlint.extract.cpp.values import (
     either,
 )
 from launchlint.extract.fact import Doubt, Fact, Made, Plugin
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from launchlint.extract.cpp.declarations import Class, Declarations, joined
 from launchlint.extract.cpp.foreign import Foreign, is_of_messages
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import POINTERS, Type, substituted
 from launchlint.extract.cpp.values import Either, Number, Text, Value, choices, plain
+from launchlint.named_tuple import NamedTuple
 
 _MOST_STEPS = 24
 _DEEPEST = 4

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from functools import lru_cache
-from typing import NamedTuple
 
 from launchlint.extract.cpp.declarations import Class, Declarations, Function
 from launchlint.extract.cpp.foreign import is_silent
@@ -17,6 +16,7 @@ from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import Names
 from launchlint.extract.cpp.spelled_type import POINTERS, Type, parse_type
 from launchlint.extract.cpp.tables import Tables
+from launchlint.named_tuple import NamedTuple
 
 _SKIPPED = re.compile(
     r'//[^\n]*|/\*.*?\*/|\bR"(\w{0,16})\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n]){1,4}\'',

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 _IGNORED = re.compile(
     r"\b(?:const|volatile|typename|struct|class|static|mutable|inline|extern|constexpr|unsigned|signed|register|virtual|enum|template)\b|[&*]"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
 
 from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.spelled_type import UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
 
 from launchlint.extract.python.arguments import Call
+from launchlint.named_tuple import NamedTuple
 from launchlint.python.values import Handle, Value
 
 TYPE_CHECKING = False

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from typing import NamedTuple
 
 from launchlint.extract.python.arguments import Call
 from launchlint.extract.python.names import ros_joined
+from launchlint.named_tuple import NamedTuple
 from launchlint.python.text import joined
 from launchlint.python.values import UNKNOWN, Value
 

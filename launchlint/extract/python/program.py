@@ -7,7 +7,7 @@ import gc
 import os
 import re
 from contextlib import suppress
-from typing import Any, NamedTuple
+from typing import Any
 
 from launchlint.extract.fact import Doubt, Fact, Made
 from launchlint.extract.python.arguments import Call, plain
@@ -17,6 +17,7 @@ from launchlint.extract.python.names import ros_name
 from launchlint.extract.python.recognised import ROSPY
 from launchlint.extract.python.recogniser import TYPES, RosRecogniser
 from launchlint.extract.python.silence import says_nothing
+from launchlint.named_tuple import NamedTuple
 from launchlint.python.calls import Callback
 from launchlint.python.memory import Ended, Exhausted
 from launchlint.python.source import Routine, Source, SourceError, parse

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.fix.format.line_ends import prevailing_line_end, with_line_feeds
 from launchlint.fix.format.printer import TooLarge, printed
 from launchlint.fix.format.same import says_the_same
 from launchlint.fix.format.style import Style
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.syntax.parse import parse
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
 
 from launchlint.fix.format.line_ends import prevailing_line_end
 from launchlint.fix.format.tokens import SPACE, Token, tokens
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.decode import decode
 
 MOST_TRIED = 100

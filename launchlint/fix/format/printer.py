@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.fix.format.comments import moved, width_of
 from launchlint.fix.format.directives import regions
 from launchlint.fix.format.start_tag import attributes_of, start_tag
@@ -11,6 +9,7 @@ from launchlint.fix.format.style import Style
 from launchlint.fix.format.tables import in_columns
 from launchlint.fix.format.tokens import SPACE, Token, tokens
 from launchlint.fix.format.yaml_block import indented
+from launchlint.named_tuple import NamedTuple
 
 MOST_ADDED = 1 << 20
 MOST_TIMES = 4

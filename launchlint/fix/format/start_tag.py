@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import NamedTuple
 
 from launchlint.fix.format.style import Style
 from launchlint.fix.format.tokens import Token
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.ros2.order import ORDER
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
-from typing import NamedTuple
 
 from launchlint.fix.format.start_tag import Attribute, attributes_of, in_canonical_order
 from launchlint.fix.format.style import Style
 from launchlint.fix.format.tokens import SPACE, Token
+from launchlint.named_tuple import NamedTuple
 
 _PADDED = re.compile(r"""["'][ \t]{2,}[^ \t\n/>]""")
 

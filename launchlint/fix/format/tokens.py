@@ -7,7 +7,8 @@ tokens are the text again.
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ value goes on in move with the line that it begins in, so that what they hold st
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Source
 from launchlint.yaml.tree import MAPPING, SCALAR, SEQUENCE, Node
 

@@ -7,9 +7,9 @@ brackets stay as they are.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.fix.format.ordering import Move
+from launchlint.named_tuple import NamedTuple
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import MAPPING, SEQUENCE, Node, Reader, YamlBeyond, parse
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from itertools import takewhile
-from typing import NamedTuple
 
 from launchlint.ide.context import Context, with_command
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 from launchlint.syntax.ros2.python.tables import class_of_kind, signature
 

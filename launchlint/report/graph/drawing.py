@@ -7,10 +7,10 @@ subscribers make p + s arrows. Of two topologies only what changed is drawn, wit
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
 from launchlint.graph.difference import Difference
 from launchlint.graph.topology import Topology, TopologyNode
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.report.graph.folding import Tree
 from launchlint.report.graph.presence import Part, Presence, changed, whole

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.graph.difference import Difference
 from launchlint.graph.topology import Topology
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.report.graph.drawing import Arrow, Box, Drawing, draw
 from launchlint.report.graph.words import loading

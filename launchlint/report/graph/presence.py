@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.graph.difference import Difference
 from launchlint.graph.topology import Connection, Topology
+from launchlint.named_tuple import NamedTuple
 
 Channel = tuple[str, str]
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.graph.difference import Difference, difference
 from launchlint.graph.topology import EMPTY
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.report.graph.drawing import draw
 from launchlint.report.html.material import EntryMaterial

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding
 from launchlint.graph.details import NO_DETAILS, Details
 from launchlint.graph.topology import Topology
 from launchlint.library.catalogue import Entry as KnownProgram
+from launchlint.named_tuple import NamedTuple
 from launchlint.sight import NOTHING, Sight
 from launchlint.source import Source, Span
 from launchlint.verdict import Verdict

@@ -6,8 +6,8 @@ from base64 import b64encode
 from collections.abc import Iterable, Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.report.html import tables
 from launchlint.report.html.cards import Group
 from launchlint.report.html.pack import script

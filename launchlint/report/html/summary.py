@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.sight import Sight, reason_beside
 
 TYPE_CHECKING = False

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from html import escape
-from typing import NamedTuple
 
 from launchlint.graph.doubts import MayBe
+from launchlint.named_tuple import NamedTuple
 from launchlint.report.graph.words import doubted
 from launchlint.report.html.links import source_link
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from launchlint.graph.topology import Topology
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.report.html.material import EntryMaterial
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 from launchlint.graph.difference import difference
 from launchlint.graph.topology import EMPTY, Connection, Container, Topology, TopologyChannel, TopologyNode, TopologyParam
+from launchlint.named_tuple import NamedTuple
 
 Item = TypeVar("Item")
 

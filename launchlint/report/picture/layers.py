@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 Point = tuple[float, float]
 Size = tuple[float, float]

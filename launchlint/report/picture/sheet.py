@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.report.graph.drawing import Arrow, Box, Drawing
 from launchlint.report.picture.layers import Point, Size, layered, layers
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.report.escape import visible
 from launchlint.report.graph.drawing import Box, Drawing

@@ -47,11 +47,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.conduits import forwarded
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.name_places import Owners, acting_origin, how, is_known_to_act, node_origin, owners

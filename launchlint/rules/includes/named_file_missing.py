@@ -70,11 +70,11 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.model import Command, UnknownText
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.elsewhere import elsewhere
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import cause_of, made

@@ -60,10 +60,10 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.edits import Spot, fix, set_value
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import cause_of

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import posixpath
 import re
-from typing import NamedTuple
 
 from launchlint.evaluate.problems import IncludeNotFound, ParamFileMissing
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.edits import Spot
 from launchlint.rules.view import LaunchView
 from launchlint.syntax.ros1.substitutions import parse

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.graph.connections import Instance
 from launchlint.model import Executable, Launch, UnknownText
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import Looked, note
 from launchlint.workspace.texts import files_by_word
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
@@ -17,6 +16,7 @@ from launchlint.graph.plausible import Possible
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.model import ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.judging.package_contents import contents

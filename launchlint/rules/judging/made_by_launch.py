@@ -5,8 +5,8 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Mapping
 from itertools import islice
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.made_by_node import Word, absolute, handed_over
 from launchlint.syntax.ros1.substitutions import opens
 from launchlint.workspace.looking import Looked, note, walk, watched

@@ -7,9 +7,9 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import islice
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.view import LaunchView
 from launchlint.syntax.parts import Literal, Malformed, Substitution
 from launchlint.syntax.ros1.substitutions import opens, parse

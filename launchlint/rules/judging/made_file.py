@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import posixpath
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.other_file import shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.library.shipped import Bundled, is_in_library
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import listed
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead, programs_asked

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import NamedTuple
 
 from launchlint.finding import Fix, Severity
 from launchlint.graph.connections import Endpoint, Instance, Reading
 from launchlint.graph.names import absolute, kind
 from launchlint.library.template import Slot, is_template, parse
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.edits import append_child, fix, remove_element, set_value, spot
 from launchlint.rules.judging.loose_ends import Missed
 from launchlint.rules.judging.name_places import TALKS, is_of_ros1, new_remap, write_remap

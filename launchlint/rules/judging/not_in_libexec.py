@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.package_contents import contents, installs
 from launchlint.workspace.looking import is_file
 from launchlint.workspace.put_aside import is_out_of_use

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.loose_ends import LooseEnds, Missed
 from launchlint.rules.judging.near_names import NAMESPACE, SIBLING
 from launchlint.rules.view import GraphView

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.graph.connections import Doubt, Endpoint, Instance, Reading
 from launchlint.graph.names import absolute
 from launchlint.library.template import is_template, parse
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from launchlint.graph.connections import Doubt, Instance
 from launchlint.graph.names import absolute, around
 from launchlint.library.lookup import Library
 from launchlint.library.program import Program
+from launchlint.named_tuple import NamedTuple
 
 UNIVERSAL = frozenset(
     {

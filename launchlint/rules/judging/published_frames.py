@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.graph.command_line import command_line
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.graph.frames import Frame
 from launchlint.graph.urdf import LARGEST, Joint, joints
 from launchlint.model import Command
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.pose import Pose, pose_of_joint, pose_of_words
 from launchlint.words import split_words
 from launchlint.workspace.looking import note

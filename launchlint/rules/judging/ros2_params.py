@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.library.program import Declared
 from launchlint.model import Unknown
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.name_places import node_origin
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import HUBS, Instance
 from launchlint.graph.names import Applied, kind
 from launchlint.machinery import LIFECYCLE_SERVICES, PARAMETER_SERVICES
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import listed
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView

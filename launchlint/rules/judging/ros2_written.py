@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.evaluate.names import canonical
 from launchlint.finding import Location
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.view import FileView
 from launchlint.source import Place
 from launchlint.syntax.ros2.description import (

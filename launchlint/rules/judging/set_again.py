@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.evaluate.problems import ParamReplaced
 from launchlint.model import Launch, ParameterSetting
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.param_values import is_certain, is_known
 from launchlint.source import Origin
 

@@ -14,11 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import cached_property
-from typing import NamedTuple
 
 from launchlint.evaluate.problems import RemapReplaced
 from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint, Reading
 from launchlint.graph.names import absolute
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.name_places import Owners, is_inside
 from launchlint.rules.judging.same_definition import stands_for
 from launchlint.source import Place

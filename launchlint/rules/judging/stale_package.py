@@ -5,9 +5,9 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT
 from launchlint.rules.judging.package_contents import contents
 from launchlint.spelling import folded

@@ -37,11 +37,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance
 from launchlint.model import Node
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.edits import fix, replace, spot
 from launchlint.rules.judging.exported_nodelets import exported_nodelets
 from launchlint.rules.rule import Rule

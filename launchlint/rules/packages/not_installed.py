@@ -82,10 +82,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.model import Condition
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.not_in_libexec import build_file
 from launchlint.rules.judging.other_file import root_of, shown

@@ -38,9 +38,9 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.edits import begun_before, fix, remove_element, spot
 from launchlint.rules.judging.param_values import is_same, shown
 from launchlint.rules.judging.set_again import SetAgain, set_again

@@ -56,12 +56,12 @@ The remap does nothing, nobody says so, and the node goes on talking under the n
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, OFFERS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, around, kind
 from launchlint.model import ROS2
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import listed
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out

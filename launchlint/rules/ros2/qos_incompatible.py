@@ -59,12 +59,12 @@ library: [nodes.json]
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
 from launchlint.graph.qos import Clash, clashes
 from launchlint.library.template import Slot, is_template, parse
+from launchlint.named_tuple import NamedTuple
 from launchlint.plural import counted
 from launchlint.rules.judging.name_places import Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.same_definition import may_be_alike

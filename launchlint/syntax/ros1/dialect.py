@@ -6,8 +6,7 @@ the RelaxNG schema all read it here. Source: the ``*_ATTRS`` lists and the tag m
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros1.domains import (
     COMMAND,
     CONDITION,

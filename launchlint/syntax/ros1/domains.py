@@ -7,7 +7,8 @@ RelaxNG schema and did-you-mean use ``choices``.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

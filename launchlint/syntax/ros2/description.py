@@ -8,8 +8,7 @@ Source: ``launch.actions``, ``launch_ros.actions``, ``launch.substitutions`` and
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Place
 

@@ -7,8 +7,8 @@ What is read of it is remembered, so that the rest can be told of, as launch's `
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2.written import Written
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.problems import MalformedXml, UnreadableFile

@@ -5,8 +5,7 @@ Only what a launch file is made of gets a value of its own; dates, binary data a
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import MAP, MAPPING, SCALAR, SEQ, SEQUENCE, STR, Node, Reader, YamlBeyond, parse

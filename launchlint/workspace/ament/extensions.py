@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace import looking
 from launchlint.workspace.packages import Packages
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import posixpath
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.ament.placed import below_prefix, places_of, sources_of
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
 from launchlint.workspace.listing import files_of

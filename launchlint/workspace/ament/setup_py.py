@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.ament.scripts import SETUP_CFG, Script, entry_points, read_setup_cfg
 from launchlint.workspace.ament.setup_statements import setup_calls
 from launchlint.workspace.ament.setup_values import UNKNOWN, items

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.ament.installed import Installed
 from launchlint.workspace.ament.reading import InstalledIndex
 from launchlint.workspace.looking import exists

@@ -9,12 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from launchlint.evaluate.ros1.expression.resolver import EnvironmentUnset, ExpressionError, Resolver, UndefinedArg, UnknownValue
+from launchlint.evaluate.ros1.expression.resolver import EnvironmentUnset, ExpressionError, UndefinedArg, UnknownValue
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros1.expression.resolver import Resolver
 
 __all__ = (
     "EnvironmentUnset",
     "ExpressionError",
-    "Resolver",
     "UndefinedArg",
     "UnknownValue",
     "arguments_read",

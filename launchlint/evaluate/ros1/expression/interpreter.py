@@ -13,8 +13,12 @@ from launchlint.evaluate.expression.interpreter import NOT_INNER, Interpreter, S
 from launchlint.evaluate.expression.names import BUILTINS, MATH
 from launchlint.evaluate.ros1.expression.context import context_function
 from launchlint.evaluate.ros1.expression.names import CONTEXT_FUNCTIONS, TRUTH
-from launchlint.evaluate.ros1.expression.resolver import EnvironmentUnset, Resolver, UndefinedArg
+from launchlint.evaluate.ros1.expression.resolver import EnvironmentUnset, UndefinedArg
 from launchlint.evaluate.ros1.values import automatic
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros1.expression.resolver import Resolver
 
 
 class Passing(BaseException):

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Protocol
-
 from launchlint.evaluate.expression.errors import ExpressionError, UnknownValue
 
-__all__ = ("EnvironmentUnset", "ExpressionError", "Resolver", "UndefinedArg", "UnknownValue")
+__all__ = ("EnvironmentUnset", "ExpressionError", "UndefinedArg", "UnknownValue")
 
 
 class UndefinedArg(Exception):
@@ -25,36 +23,41 @@ class EnvironmentUnset(Exception):
         self.name = name
 
 
-class Resolver(Protocol):
-    """What an expression can ask of the world around it.
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Protocol
 
-    Each method may raise :class:`UnknownValue` when the answer cannot be known; any other exception passes through ``evaluate`` unchanged.
-    """
+    class Resolver(Protocol):
+        """What an expression can ask of the world around it.
 
-    def arg(self, name: str) -> str:
-        """Text of the arg ``name``; raises :class:`UndefinedArg`."""
-        ...
+        Each method may raise :class:`UnknownValue` when the answer cannot be known; any other exception passes through ``evaluate``
+        unchanged.
+        """
 
-    def has_arg(self, name: str) -> bool:
-        """Whether there is an arg of this name with a value."""
-        ...
+        def arg(self, name: str) -> str:
+            """Text of the arg ``name``; raises :class:`UndefinedArg`."""
+            ...
 
-    def env(self, name: str) -> str:
-        """Text of the environment variable; raises :class:`EnvironmentUnset`."""
-        ...
+        def has_arg(self, name: str) -> bool:
+            """Whether there is an arg of this name with a value."""
+            ...
 
-    def optenv(self, name: str, default: str) -> str:
-        """Text of the environment variable, or ``default`` (the very object) where it is not set."""
-        ...
+        def env(self, name: str) -> str:
+            """Text of the environment variable; raises :class:`EnvironmentUnset`."""
+            ...
 
-    def find(self, package: str) -> str:
-        """Directory of the package."""
-        ...
+        def optenv(self, name: str, default: str) -> str:
+            """Text of the environment variable, or ``default`` (the very object) where it is not set."""
+            ...
 
-    def anon(self, id: str) -> str:
-        """The anonymous name for ``id``."""
-        ...
+        def find(self, package: str) -> str:
+            """Directory of the package."""
+            ...
 
-    def dirname(self) -> str:
-        """Absolute directory of the launch file."""
-        ...
+        def anon(self, id: str) -> str:
+            """The anonymous name for ``id``."""
+            ...
+
+        def dirname(self) -> str:
+            """Absolute directory of the launch file."""
+            ...

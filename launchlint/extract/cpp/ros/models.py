@@ -8,12 +8,12 @@ by what params say. ``opens`` are categories of which it may make more, of any n
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from launchlint.extract.cpp.naming import ANY, template
 from launchlint.extract.cpp.ros import params
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Handle, Number, Text, Thing, Value, choices, either
+from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

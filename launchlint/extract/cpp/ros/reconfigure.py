@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import ast
 import os
-from typing import NamedTuple
 
 from launchlint.extract.cpp.naming import template
 from launchlint.extract.cpp.values import Handle, Value, choices
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace import looking
 
 TYPE_CHECKING = False

@@ -9,7 +9,8 @@ Source: the constructors in ``launch`` and ``launch_ros``.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import NamedTuple
+
+from launchlint.named_tuple import NamedTuple
 
 _CLASSES = """
 launch.LaunchDescription initial_entities= * deprecated_reason=
