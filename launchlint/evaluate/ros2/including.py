@@ -36,6 +36,9 @@ def include(walk: Walk, action: described.Include) -> None:
         None if pushed is None else shown_text(pushed), walk.here.deferred, walk.here.file,
     )  # fmt: skip
     way = (*walk.here.way, id(action))
+    if action.description is not None:
+        _made(walk, action, action.description, entry, way, file)
+        return
     if isinstance(file, Unknown):
         walk.includes.append(entry)
         walk.entered.append(Entered(way, walk.here.step, None, (), ""))
@@ -89,6 +92,28 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.here, walk.performer.way = outer, outer.way
     if walk.session.hangs_on_arguments(file):
         context.uses.open = True
+
+
+def _made(
+    walk: Walk, action: described.Include, description: Description, entry: Include, way: tuple[int, ...], location: str | Unknown
+) -> None:
+    """Include what the program has made (launch.LaunchDescriptionSource): no file is read, and what it reads and declares the program does.
+
+    Its location is taken for the path of the launch file, and for the directory too where there is no such file.
+    """
+    outer = walk.here
+    file = location if isinstance(location, Unknown) else os.path.abspath(location)
+    directory = os.path.dirname(file) if isinstance(file, str) and walk.session.exists(file) else location
+    walk.context.enter(directory, file)
+    names = [name for pair in action.arguments if isinstance(name := walk.value(pair.name), str)]
+    told = _missing(walk, description, names, action)
+    at = len(walk.includes)
+    walk.includes.append(entry)
+    walk.includes[at] = entry._replace(file=shown_text(file), arguments=_pass(walk, action, way))
+    scope = Scope("include", walk.at(action.place), entry.namespace, outer.scope)
+    walk.here = outer._replace(file=shown_text(file), scope=scope, told=outer.told | told)
+    walk.execute(description.actions)
+    walk.here = outer
 
 
 def _unread(walk: Walk) -> None:

@@ -144,6 +144,8 @@ class Lister:
 
     def _found(self, include: Include) -> _Below:
         """The same, looked for; what a file adds is kept by its name."""
+        if include.description is not None:
+            return self._all_below(include.description)
         try:
             file = self._performer.perform(include.file)
         except Failure:

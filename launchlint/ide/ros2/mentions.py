@@ -65,7 +65,8 @@ def _action(action: Any, source: Source, item: int) -> Iterator[Mention]:
     elif isinstance(action, described.Let) and action.name.literal:
         yield from _named("arg", action.name.literal, action.name.place, source, item)
     elif isinstance(action, described.Include):
-        yield from _whole("file", action.file, source, item)
+        if action.description is None:
+            yield from _whole("file", action.file, source, item)
         for pair in action.arguments:
             if pair.name.literal is not None:
                 yield from _named("arg", pair.name.literal, pair.name.place, source, item, passes=True)

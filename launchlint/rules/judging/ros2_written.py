@@ -57,7 +57,7 @@ def values(view: FileView) -> Iterator[Written]:
 def file_names(view: FileView) -> Iterator[Written]:
     """What names a file: of includes, and of parameter files."""
     for each in _everything(view):
-        if isinstance(each, Include):
+        if isinstance(each, Include) and each.description is None:
             yield Written("include", "", each.file)
         elif isinstance(each, ParameterFile):
             yield Written("param", "", each.file)

@@ -67,7 +67,7 @@ def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[F
     root = root_of(problem.place.source)
     said = problem.what.replace(f"{root}/", "") if root else problem.what
     what = f"{problem.error}: {shown(said)}" if said else problem.error
-    when = "a function of this launch file ends" if problem.called else "this launch file ends"
+    who = f"this {problem.action}" if problem.action else "a function of this launch file" if problem.called else "this launch file"
     lacks = problem.error == _LACKING_STATED if problem.stated else problem.error in _LACKING
     severity = Severity.WARNING if lacks else level(problem)
     notes = ("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",)
@@ -82,7 +82,7 @@ def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[F
         notes = (f"so it is where nobody gives {problem.lacking} a value, on the command line or in a file that includes this one",)
     yield RULE.at(
         problem.origin,
-        f"{when} with an exception: {what}",
+        f"{who} ends with an exception: {what}",
         severity=severity,
         label="raised here" if problem.stated and not problem.related else "here",
         related=problem.related,

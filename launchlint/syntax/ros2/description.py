@@ -169,12 +169,16 @@ class Let(NamedTuple):
 
 
 class Include(NamedTuple):
-    """``<include>``: ``arguments`` in order."""
+    """``<include>``: ``arguments`` in order.
+
+    ``description`` is what is included where it is of no file: ``file`` is the place that it is said to be from then (Python only).
+    """
 
     file: Text
     arguments: tuple[Pair, ...]
     place: Place
     condition: Condition | None = None
+    description: Description | None = None
 
 
 class Group(NamedTuple):

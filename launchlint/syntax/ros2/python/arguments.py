@@ -43,6 +43,8 @@ SetEnvironmentVariable name=needed value=needed
 UnsetEnvironmentVariable name=needed
 AppendEnvironmentVariable name=needed value=needed
 LogInfo msg=needed
+ForLoop length=needed
+ForEach input_values=needed
 ExecuteProcess cmd=texts name=text {_PROCESS}
 TimerAction period=period actions=actions
 RosTimer period=period actions=actions

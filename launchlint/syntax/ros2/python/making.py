@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from launchlint.python.values import Bound, Choice, Class, Function, Handle, Instance, Partial, Seq, Unknown, Value, alternatives
-from launchlint.source import Place
+from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Component, Pair, Process, Remap, Substitution, Text, unknown
 from launchlint.syntax.ros2.python.conditions import condition
+from launchlint.syntax.ros2.python.looping import FOR_EACH, FOR_LOOP
 from launchlint.syntax.ros2.python.parameters import extra_arguments, parameters, set_value
+from launchlint.syntax.ros2.python.problems import StopsWithError
 from launchlint.syntax.ros2.python.recogniser import EVENT
 from launchlint.syntax.ros2.python.texts import TO_LAUNCH, Texts, pairs, why
 
@@ -21,6 +24,8 @@ if TYPE_CHECKING:
     Given: TypeAlias = Mapping[Any, Value]
     Calls: TypeAlias = Callable[[Value, list[Value], dict[str, Value], Place], described.Call]
     """Makes of a function and what it is called with what launch calls."""
+    Loops: TypeAlias = Callable[[str, Value, Value, Place], described.Call]
+    """Makes of the class of a loop, what it goes through and its function what launch calls."""
 
 DEEPEST = 50
 SOURCES = (
@@ -31,11 +36,21 @@ SOURCES = (
     "FrontendLaunchDescriptionSource",
 )
 """What includes load."""
+IN_MEMORY = "LaunchDescriptionSource"
+"""What holds the description itself."""
+NOWHERE = "<string>"
+"""Where such a description is said to be from, where nothing is said."""
 _CONTEXT = Handle("context", {})
 """Stands among the arguments of a call for the context."""
 _SHUTDOWN = "launch.events.Shutdown"
 _EVENT = Unknown("what the event holds is known only when it happens")
 _CALLABLE = (Function, Bound, Partial, Class, Instance)
+
+
+_EMPTY = partial(
+    StopsWithError, refused=True, error="RuntimeError", what="its source holds no launch description", stated=False, called=True,
+    action="IncludeLaunchDescription",
+)  # fmt: skip
 
 
 def at(given: Given, name: str) -> Place:
@@ -47,11 +62,13 @@ def at(given: Given, name: str) -> Place:
 class Maker:
     """Makes actions of objects, each once: one object in two places gives the same action in both."""
 
-    def __init__(self, texts: Texts, calls: Calls) -> None:
+    def __init__(self, texts: Texts, calls: Calls, loops: Loops) -> None:
         self.texts = texts
         self.calls = calls
+        self.loops = loops
         self._made: dict[int, tuple[Handle, Action]] = {}
         self._files: dict[int, tuple[Handle, Text]] = {}
+        self._descriptions: dict[int, tuple[Handle, described.Description]] = {}
         self._depth = 0
 
     def actions(self, value: Value, place: Place) -> tuple[Action, ...]:
@@ -113,6 +130,14 @@ class Maker:
         if known is None:
             text = self.texts.text(source.state["launch_file_path"], source.state["place"])
             known = self._files[id(source)] = (source, text)
+        return known[1]
+
+    def included(self, source: Handle, place: Place) -> described.Description:
+        """What a source holds itself."""
+        known = self._descriptions.get(id(source))
+        if known is None:
+            actions = self.actions(source.state["launch_description"], place)
+            known = self._descriptions[id(source)] = (source, described.Description(actions, source.state["place"]))
         return known[1]
 
     # -- parts ---------------------------------------------------------------------------------------------------------
@@ -285,9 +310,11 @@ def _include(maker: Maker, given: Given, place: Place) -> Action:
     source = given["launch_description_source"]
     passed = maker.pairs(given.get("launch_arguments"), at(given, "launch_arguments"))
     when = condition(given, maker.texts)
-    if isinstance(source, Handle) and source.kind == "LaunchDescriptionSource":
-        inner = maker.actions(source.state.get("launch_description"), place)
-        return described.Group((*(described.Let(*pair) for pair in passed), *inner), False, True, (), place, when)
+    if isinstance(source, Handle) and source.kind == IN_MEMORY:
+        if source.state.get("launch_description") is None:
+            return described.Fails(_EMPTY(origin=Origin(place)), place, when)
+        location = maker.texts.text(source.state.get("location", NOWHERE), place)
+        return described.Include(location, passed, place, when, maker.included(source, place))
     known = isinstance(source, Handle) and source.kind in SOURCES
     file = maker.file(source) if known else maker.texts.text(source, place)
     return described.Include(file, passed, place, when)
@@ -348,6 +375,19 @@ def _opaque(maker: Maker, given: Given, place: Place) -> Action:
         reason = why(given["function"], "a function that is not looked into")
         return described.Group((described.Open(reason, place),), False, True, (), place, when)
     return described.Opaque(maker.calls(given["function"], [_CONTEXT, *listed], named, place), place, when)
+
+
+def _loop(kind: str, over: str) -> Callable[[Maker, Given, Place], Action]:
+    """What makes a ForLoop or ForEach, which go through the argument ``over``: a function that gives actions, as with OpaqueFunction."""
+
+    def make(maker: Maker, given: Given, place: Place) -> Action:
+        when = condition(given, maker.texts)
+        if not isinstance(given["function"], _CALLABLE):
+            reason = why(given["function"], "a function that is not looked into")
+            return described.Group((described.Open(reason, place),), False, True, (), place, when)
+        return described.Opaque(maker.loops(kind, given[over], given["function"], at(given, over)), place, when)
+
+    return make
 
 
 def _handler(maker: Maker, given: Given, place: Place) -> Action:
@@ -452,5 +492,7 @@ _MAKE: Mapping[str, Callable[[Maker, Given, Place], Action]] = {
     "TimerAction": _timer,
     "RosTimer": _timer,
     "OpaqueFunction": _opaque,
+    FOR_LOOP: _loop(FOR_LOOP, "length"),
+    FOR_EACH: _loop(FOR_EACH, "input_values"),
     "RegisterEventHandler": _handler,
 }

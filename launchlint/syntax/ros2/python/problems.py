@@ -148,7 +148,7 @@ class StopsWithError(Problem):
     ``called``: it comes when launch calls a function of the file, not when the file is loaded. ``lacking``: a launch configuration that
     the function asked for before, and that nothing here sets, or to nothing but an empty text: somebody has to give it a value.
     ``package``: one that the program looked for before it raised this itself, and that is not here; ``variable``: likewise a variable of
-    the environment that is not set.
+    the environment that is not set. ``action``: the class of an action that ends so by itself, not in a function of the file.
     """
 
     error: str
@@ -158,6 +158,7 @@ class StopsWithError(Problem):
     lacking: str = ""
     package: str = ""
     variable: str = ""
+    action: str = ""
 
     @property
     def lacks(self) -> tuple[str, str] | None:

@@ -95,7 +95,7 @@ def _actions(run: Following, source: Source, outside: Outside, parsed: Parsed) -
         return (described.Open(f"it has no function {ENTRY}", everything),)
     run.look_at(parsed.tree)
     caller = Caller(run, run.known.running, main.scope, run.known.environment)
-    maker = caller.maker = Maker(run.known.texts, caller.calls)
+    maker = caller.maker = Maker(run.known.texts, caller.calls, caller.loops)
     run.known.texts.gives = caller.gives
     main.scope.variables.update({"__name__": "launch_file", "__file__": source.file})
     if run.execute(parsed.tree.body, main.scope):

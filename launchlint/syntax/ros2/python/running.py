@@ -10,12 +10,14 @@ from launchlint.python.failures import Raised
 from launchlint.python.memory import Ended, Exhausted, Log, taken_back
 from launchlint.python.reaching import reaches
 from launchlint.python.values import MISSING, Handle, Instance, Map, Scope, Seq, Unknown, Value
-from launchlint.source import Place
+from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action
 from launchlint.syntax.ros2.live import Stopped
 from launchlint.syntax.ros2.python.conditions import condition_of
 from launchlint.syntax.ros2.python.ending import actions_of
+from launchlint.syntax.ros2.python.looping import Refused, TooMany, turns
+from launchlint.syntax.ros2.python.problems import StopsWithError
 from launchlint.syntax.ros2.python.texts import Texts, is_own_substitution, is_substitution
 
 TYPE_CHECKING = False
@@ -180,6 +182,39 @@ class Caller:
             return self._call(live, function, given, keywords, place)
 
         return call
+
+    def loops(self, kind: str, over: Value, function: Value, place: Place) -> described.Call:
+        """What launch calls for a ForLoop or ForEach, by its ``kind``: the function, once for each turn, before any action is executed."""
+
+        def call(live: LiveContext) -> tuple[Action, ...]:
+            found = self._asked(live, over, place)
+            if not isinstance(found, str):
+                return (described.Open(found.reason if isinstance(found, Unknown) else f"what {kind} goes through is not known", place),)
+            lacking = self._running.lacking
+            try:
+                given = turns(kind, found)
+            except Refused as refused:
+                problem: Problem = StopsWithError(
+                    origin=Origin(place), refused=True, error=refused.error, what=refused.what, stated=False, called=True, lacking=lacking,
+                    action=kind,
+                )  # fmt: skip
+                return (described.Fails(problem, place),)
+            except TooMany:
+                return (described.Open(f"{kind} goes through too much to be followed", place),)
+            return tuple(action for each in given for action in self._call(live, function, [], each, place))
+
+        return call
+
+    def _asked(self, live: LiveContext, value: Value, place: Place) -> Value:
+        """What is performed for an action itself. Raises Stopped."""
+        outer, self._running.live = self._running.live, live
+        self._running.lacking = ""
+        try:
+            return self._running.performed(value, self._running.context(), place)
+        except Ending as ending:
+            raise Stopped(ending.problem) from None
+        finally:
+            self._running.live = outer
 
     def _call(self, live: LiveContext, function: Value, given: list[Value], keywords: dict[str, Value], place: Place) -> tuple[Action, ...]:
         run, outer = self._run, self._running.live

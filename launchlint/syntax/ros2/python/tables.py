@@ -22,6 +22,8 @@ launch.actions.IncludeLaunchDescription launch_description_source * launch_argum
 launch.actions.ExecuteProcess * cmd name= +process
 launch.actions.LogInfo * msg +
 launch.actions.OpaqueFunction * function args= kwargs= +
+launch.actions.ForLoop length * function name= +
+launch.actions.ForEach input_values * function +
 launch.actions.RegisterEventHandler event_handler +
 launch.actions.UnregisterEventHandler event_handler +
 launch.actions.EmitEvent * event +
@@ -125,6 +127,8 @@ _NEW_SINCE_HUMBLE = {
     **{f"launch_ros.actions.{name}": None for name in ("LifecycleTransition", "SetROSLogDir")},
 }
 """What humble does not know: of a class these arguments, or (None) the class itself."""
+_NEW_SINCE_JAZZY = ("launch.actions.ForLoop", "launch.actions.ForEach")
+"""Classes that neither humble nor jazzy knows."""
 _LATER = {"launch_ros.actions.LifecycleNode": ("autostart",)}
 """Arguments that came after all distributions that are known here; updates have brought them to some of these."""
 _RENAMED = {
@@ -189,7 +193,7 @@ def _signatures(distro: str) -> dict[str, Signature]:
     for line in _CLASSES.strip().splitlines():
         name, *words = line.split()
         new: tuple[str, ...] | None = _NEW_SINCE_HUMBLE.get(name, ()) if distro == "humble" else ()
-        if new is None:
+        if new is None or (name in _NEW_SINCE_JAZZY and distro in ("humble", "jazzy")):
             continue
         gathers = any(word.startswith("*") and word != "*" for word in words)
         words = [word if word == "*" else word.removeprefix("*") for word in words]
