@@ -57,13 +57,15 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
             yield RULE.fine(node_origin(instance))
         else:
             does = sorted({endpoint.name for endpoint in _own(instance) if endpoint.certain and not endpoint.action})
+            origin = node_origin(instance)
             some = ", ".join(does[:4]) + (" …" if len(does) > 4 else "")
             yield RULE.at(
-                node_origin(instance),
+                origin,
                 f"{instance.name} is connected to no other node",
                 label="nobody else uses its names",
                 notes=(f"it has {some}",) if some else (),
                 help="check its namespace and remaps, unless its partners are started elsewhere",
+                cause=f"{origin.place.source.path} {instance.program}",  # a file of relays whose partners are in another launch
             )
 
 

@@ -2,8 +2,8 @@
 
 What it does: it looks for a parameter file with names only, no `/**`, that is given to a node without `name`, or with one of `$(anon …)`.
 It is a warning where no key can be that of the node, because the name is made up for each start or no key is in the node's namespace.
-Else it is information: they reach the node as long as its program calls itself so. Where several programs are given the file it is, too:
-it may be for a node that one of them makes beside its own.
+Else it is information: they reach the node as long as its program calls itself so, and nothing is said where that is what the program
+is called. Where several programs are given the file it is, too: it may be for a node that one of them makes beside its own.
 
 ## Why it matters
 
@@ -55,7 +55,9 @@ RULE = Rule("LL944", "anonymous-gets-named-params", Severity.WARNING)
 
 
 def tell(problem: NamedForUnnamed, view: object) -> Iterator[Finding]:
-    """Say under which key they would reach it."""
+    """Say under which key they would reach it. That a program calls itself as it is called itself, everybody may expect."""
+    if not (problem.anonymous or problem.certain) and any(key.rpartition("/")[2] == problem.program for key in problem.keys):
+        return
     file, keys = problem.file.rpartition("/")[2], ", ".join(problem.keys)
     words = words_at(problem.origin)
     if problem.anonymous:

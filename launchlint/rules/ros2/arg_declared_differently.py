@@ -47,29 +47,33 @@ with its own.
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.ros2.problems import DefaultOverruled
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule, shortened
 from launchlint.rules.wording import words_at
 
 RULE = Rule("LL915", "arg-declared-differently", Severity.INFO)
+_EMPTY = "an empty text"
 
 
 def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
     """Say which default counts (launch.actions.DeclareLaunchArgument: the first that is executed)."""
     if problem.left:
         return
-    name = problem.name
+    name, root = problem.name, root_of(problem.place.source)
+    default, value = (shown(each, root) if posixpath.isabs(each) else each for each in (problem.default, problem.value))
     where = "above" if problem.same_file else f"in {problem.setter}"
     advice = "remove one of them" if problem.same_file else f"pass it in the include: {words_at(problem.origin).passed_on(name)}"
     yield RULE.at(
         problem.origin,
-        f"the default of {name} does not count: {where} it is declared with {problem.value}",
+        f"the default of {name} does not count: {where} it is declared with {value or _EMPTY}",
         severity=Severity.WARNING if problem.same_file else None,
-        label=f"{problem.default} does not count",
+        label=f"{default or _EMPTY} does not count",
         related=problem.related,
         notes=("of two declarations on one path the first one sets the default",),
         help=advice,
