@@ -95,11 +95,11 @@ class Difference(NamedTuple):
     def loads_otherwise(self) -> bool:
         """Whether roslaunch loads the launch file now and did not, or the reverse, as it stands or with other args."""
         before, after = self.before.verdict, self.after.verdict
-        return None not in (before, after) and _standing(before) != _standing(after)
+        return before is not None and after is not None and _standing(before) != _standing(after)
 
 
-def _standing(verdict: Verdict | None) -> tuple[str, bool]:
-    return ("", False) if verdict is None else (verdict.word, bool(verdict.elsewhere))
+def _standing(verdict: Verdict) -> tuple[str, bool]:
+    return verdict.word, bool(verdict.elsewhere)
 
 
 def difference(before: Topology, after: Topology) -> Difference:
@@ -184,7 +184,7 @@ def _compared(
         gone = [before[each] for each in sorted(before) if each not in after]
         come = [after[each] for each in sorted(after) if each not in before]
         pairs = min(len(gone), len(come))
-        changed.extend(zip(gone[:pairs], come[:pairs], strict=True))
+        changed.extend(zip(gone, come, strict=False))
         removed.extend(gone[pairs:])
         added.extend(come[pairs:])
     return tuple(added), tuple(removed), tuple(changed)
@@ -193,7 +193,7 @@ def _compared(
 def _links(before: Topology, after: Topology) -> tuple[Link, ...]:
     """Who had partners before, still runs after, and has none any more: in all configurations together, then in the default one."""
     found = {_what(link): link for link in _lost(before, after)}
-    if len(before.configurations) > 1 or len(after.configurations) > 1:
+    if len(after.configurations) > 1:  # with one, who has no partner by default has none at all
         for link in _lost(_default(before), _default(after)):
             found.setdefault(_what(link), link._replace(by_default=True))
     return tuple(found[key] for key in sorted(found))

@@ -125,6 +125,33 @@ def test_a_namespace_that_is_not_known(tmp_path: Path) -> None:
     assert (found.may_use("topic", "/a/out"), found.may_use("topic", "/a/b/in", "std_msgs/Bool")) == ((), ())
 
 
+def test_params_in_a_namespace_that_is_not_known_are_not_certain(tmp_path: Path) -> None:
+    known = {"p": {"executables": {"n": program(params=[{"name": "rate"}, {"name": "/speed"}])}}}
+    launch = '<arg name="what" value="$(find absent)"/><node pkg="p" type="n" name="n" ns="$(arg what)"/>'
+    (found,) = graph(tmp_path, launch, known).instances
+    assert [(reading.name, reading.certain) for reading in found.readings] == [("/unknown_namespace/rate", False), ("/speed", True)]
+
+
+def test_the_namespace_in_args_counts_before_that_of_the_environment(tmp_path: Path) -> None:
+    inside = '<env name="ROS_NAMESPACE" value="b"/>'
+    (found,) = graph(tmp_path, f'<node pkg="my_pkg" type="cpp" name="n" args="__ns:=/$(env NOT_HERE)/c">{inside}</node>', TALK).instances
+    assert (found.certain, edges(found)) == (False, ["publisher /unknown_namespace/out?", "subscriber /unknown_namespace/in?"])
+
+
+def test_what_lies_somewhere_below_a_name_that_is_not_known(tmp_path: Path) -> None:
+    known = {"p": {"executables": {"n": program(publishers=[{"name": "~in/{any}/pose"}, {"name": "{any}/map"}])}}}
+    (found,) = graph(
+        tmp_path, '<arg name="what" value="$(find absent)"/><node pkg="p" type="n" name="$(arg what)_node" ns="a"/>', known
+    ).instances
+    assert [doubt.pattern for doubt in found.doubts] == ["/a/*_node/in/*/pose", "/a/*/map"]
+
+
+def test_a_script_that_nobody_knows_is_named_as_rospy_does(tmp_path: Path) -> None:
+    moved = '<remap from="~" to="/moved"/>'
+    launch = f'<node pkg="p" type="script.py" name="a">{moved}</node><node pkg="p" type="program" name="b">{moved}</node>'
+    assert [each.host for each in graph(tmp_path, launch, TALK).instances] == ["/a", "/moved"]
+
+
 def test_a_condition_that_was_assumed(tmp_path: Path) -> None:
     launch = '<node pkg="my_pkg" type="cpp" name="n" if="$(find absent)"/><node pkg="my_pkg" type="talker.py" name="t"/>'
     found = graph(tmp_path, launch, TALK)
@@ -216,6 +243,26 @@ def test_a_name_that_is_said_twice_is_there_once(tmp_path: Path) -> None:
     twice = [{"name": "x", "type": STRING, "condition": {"text": "sometimes"}}, {"name": "/x"}, {"name": "x", "type": STRING}]
     (instance,) = graph(tmp_path, '<node pkg="p" type="t" name="n"/>', {"p": {"executables": {"t": program(publishers=twice)}}}).instances
     assert [(each.name, each.type, each.certain) for each in instance.endpoints] == [("/x", STRING, True)]
+
+
+def test_of_two_that_say_as_much_the_first_is_kept(tmp_path: Path) -> None:
+    twice = [{"name": "x", "type": STRING}, {"name": "/x", "type": STRING}]
+    (instance,) = graph(tmp_path, '<node pkg="p" type="t" name="n"/>', {"p": {"executables": {"t": program(publishers=twice)}}}).instances
+    assert [each.declared for each in instance.endpoints] == ["x"]
+
+
+def test_an_action_is_five_topics(tmp_path: Path) -> None:
+    action = {"name": "go", "type": "demo_msgs/GoAction"}
+    server, client = (program(actions=[{**action, "role": role}]) for role in ("server", "client"))
+    known = {"p": {"executables": {"s": server, "c": client}}}
+    found = graph(tmp_path, '<node pkg="p" type="s" name="s"/><node pkg="p" type="c" name="c"/>', known)
+    assert [each for each in channels(found) if each.startswith("topic")] == [
+        "topic /go/cancel: /c > /s",
+        "topic /go/feedback: /s > /c",
+        "topic /go/goal: /c > /s",
+        "topic /go/result: /s > /c",
+        "topic /go/status: /s > /c",
+    ]
 
 
 def test_hubs_and_plumbing(tmp_path: Path) -> None:
@@ -353,6 +400,37 @@ def test_a_manager_is_found_by_its_service(manager: str, loader: str, host: str,
 def test_any_program_that_serves_what_a_manager_serves_is_one(tmp_path: Path) -> None:
     found = graph(tmp_path, f'<node pkg="cam" type="driver" name="d"/>{nodelet("n", "load cam/Color d")}', NODELET)
     assert [(each.kind, each.host) for each in found.instances] == [("node", "/d"), ("nodelet", "/d")]
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        '<node pkg="aaa" type="unknown" name="m" args="manager"/>',
+        '<node pkg="zzz" type="unknown" name="m" args="manager"/>',
+        '<node pkg="zzz" type="unknown" name="m"/>',
+        nodelet("m", "load cam/Color elsewhere"),
+        nodelet("m", "standalone cam/Color"),
+        '<node pkg="cam" type="other_services" name="m"/>',
+        '<node pkg="cam" type="publisher" name="m"/>',
+    ],
+)
+def test_into_what_no_nodelet_can_be_loaded(other: str, tmp_path: Path) -> None:
+    others = {
+        "other_services": program(services=[{"name": "~aaa"}, {"name": "~zzz"}]),
+        "publisher": program(publishers=[{"name": "~load_nodelet", "type": STRING}]),
+    }
+    known = {**NODELET, "cam": {**NODELET["cam"], "executables": others}}
+    found = graph(tmp_path, f"{other}{nodelet('n', 'load cam/Color m')}", known)
+    assert {each.name: each.host for each in found.instances}["/n"] == ""
+
+
+def test_a_manager_is_known_whatever_its_args_lead_to(tmp_path: Path) -> None:
+    program_of_nodelets: dict[str, Any] = NODELET["nodelet"]["executables"]["nodelet"]
+    manager = {**program_of_nodelets["variants"]["manager"], "publishers": [{"name": "{arg:2}/x", "type": STRING}]}
+    variants = {**program_of_nodelets["variants"], "manager": manager}
+    known = {**NODELET, "nodelet": {"executables": {"nodelet": {**program_of_nodelets, "variants": variants}}}}
+    (found,) = graph(tmp_path, nodelet("m", "manager extra"), known).instances
+    assert (found.kind, found.knowledge, edges(found)) == ("manager", "known", ["publisher /extra/x", "server /m/load_nodelet"])
 
 
 def test_a_manager_that_is_not_here(tmp_path: Path) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 
 from launchlint.graph.difference import Difference, Link, difference, moved
 from launchlint.graph.topology import Connection, Topology
+from launchlint.verdict import LOADS, Refusal, Verdict
 from tests.graph import tiny
 
 CONFIGURATIONS = ("", "sim:=true")
@@ -139,6 +141,28 @@ def test_a_loss_that_shows_by_default_only() -> None:
     ]
 
 
+def test_a_loss_by_default_is_one_of_the_first_configuration() -> None:
+    three = (*CONFIGURATIONS, "slow:=true")
+    before = tiny.topology("/a > /x", "/b < /x", configurations=three)
+    after = tiny.topology("/a > /x @sim:=true,slow:=true", "/b < /x", configurations=three)
+    assert [(link.node, link.by_default) for link in difference(before, after).lost] == [("/a", True), ("/b", True)]
+    other = tiny.topology("/a > /x @-,slow:=true", "/b < /x", configurations=three)
+    assert difference(before, other).lost == ()
+
+
+def test_a_name_that_another_declaration_has_now_is_what_is_shown() -> None:
+    before = tiny.topology("/a > out=/x", "/b < /x")
+    after = tiny.topology("/a > other=/x", "/b < /y")
+    assert lost(difference(before, after)) == ["/a publisher /x of /b (1), now /x", "/b subscriber /x of /a (1), now gone"]
+
+
+def test_a_loss_that_shows_by_default_only_where_there_was_one_configuration() -> None:
+    before = tiny.topology("/a > /x", "/b < /x")
+    after = tiny.topology("/a > /x @sim:=true", "/b < /x", configurations=CONFIGURATIONS)
+    assert [link.by_default for link in difference(before, after).lost] == [True, True]
+    assert [link.by_default for link in difference(after, before).gained] == [True, True]
+
+
 def test_partners_that_never_run_together_are_none() -> None:
     before = tiny.topology("/a > /x", "/b < /x", configurations=CONFIGURATIONS)
     after = tiny.topology("/a > /x @-", "/b < /x @sim:=true", configurations=CONFIGURATIONS)
@@ -197,3 +221,31 @@ def test_a_node_in_another_namespace_is_seen_again() -> None:
     before = tiny.topology(nodes=[tiny.node("/wheels"), tiny.node("/cam/a/driver"), tiny.node("/cam/b/driver")])
     after = tiny.topology(nodes=[tiny.node("/base/wheels"), tiny.node("/camera/a/driver"), tiny.node("/camera/b/driver")])
     assert moved(difference(before, after)) == {"/wheels": "/base/wheels"}
+
+
+def test_a_node_that_talks_to_nobody_is_a_change() -> None:
+    before, after = tiny.topology("/a > /x"), tiny.topology("/a > /x", nodes=[tiny.node("/a"), tiny.node("/b")])
+    assert not difference(before, after).is_empty
+    assert not difference(after, before).is_empty
+
+
+REFUSED = Verdict("refused", "LL101", "it ends too early")
+REFUSED_ELSEWHERE = LOADS._replace(elsewhere=(Refusal((("sim", "true"),), "LL101", "it ends too early"),))
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "is_changed"),
+    [
+        (LOADS, LOADS, False),
+        (LOADS, REFUSED, True),
+        (LOADS, REFUSED_ELSEWHERE, True),
+        (REFUSED, REFUSED._replace(reason="another one"), False),
+        (None, REFUSED, False),
+        (None, None, False),
+    ],
+)
+def test_a_launch_file_that_no_longer_loads_is_a_change(before: Verdict | None, after: Verdict | None, is_changed: bool) -> None:
+    same = tiny.topology("/a > /x")
+    for one, other in ((before, after), (after, before)):
+        found = difference(same._replace(verdict=one), same._replace(verdict=other))
+        assert (found.loads_otherwise, found.is_empty) == (is_changed, not is_changed)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from launchlint.graph.names import Applied, Namer, NodeletNamer, Resolved, Rule, absolute, clean, kind
+from launchlint.graph.names import Applied, Namer, NodeletNamer, Resolved, Rule, absolute, clean, kind, matches
 from tests.graph import live
 
 
@@ -38,6 +38,28 @@ def test_clean(name: str, cleaned: str) -> None:
 )
 def test_absolute(name: str, full: str, said: str) -> None:
     assert (absolute(name, "/ns/", "/ns/node"), kind(name)) == (full, said)
+
+
+@pytest.mark.parametrize(
+    ("pattern", "name", "is_one"),
+    [
+        ("/scan", "/scan", True),
+        ("/scan", "/scans", False),
+        ("/*/scan", "/front/scan", True),
+        ("/*/scan", "/scan", False),
+        ("/a*b", "/ab", True),
+        ("ab*ba", "aba", False),
+        ("ab*ba", "abba", True),
+        ("*/a/*/b", "/x/a/y/b", True),
+        ("*/a/*/b", "/x/c/y/b", False),
+        ("/*/a/*/b/*", "/1/b/2/a/3", False),
+        ("/*/a/*/b/*", "/1/a/2/b/3", True),
+        ("/x*x*x", "/x1x", False),
+        ("*", "", True),
+    ],
+)
+def test_what_a_pattern_stands_for(pattern: str, name: str, is_one: bool) -> None:
+    assert matches(pattern, name) is is_one
 
 
 def namer(client: str, *rules: tuple[str, str], node: str = "/ns/node") -> Namer:
@@ -135,6 +157,32 @@ def test_a_namespace_that_is_not_that_of_the_launch_file() -> None:
         "/given/node/y",
         "/given/z",
     )
+
+
+@pytest.mark.parametrize(
+    ("rules", "unknown", "patterns", "for_certain"),
+    [
+        ([], [], [], False),
+        ([("cam", "/a")], [], ["/a/left/image"], False),
+        ([("cam", "/z")], [], ["/z/left/image"], False),
+        ([("cam", "cam")], [], [], False),
+        ([], [("cam", "/*/x")], ["/*/x/left/image"], False),
+        ([], [("cam/left", "/*/x")], ["/*/x/image"], False),
+        ([], [("car", "/*/x")], [], False),
+        ([], [("c*", "/x")], ["/x"], False),
+        ([], [("cam/left/image", "*")], ["*"], True),
+    ],
+)
+def test_what_remappings_that_are_not_known_may_make_of_a_name(
+    rules: list[tuple[str, str]], unknown: list[tuple[str, str]], patterns: list[str], for_certain: bool
+) -> None:
+    own = Namer("/ns", "/ns/node", [Rule(*rule) for rule in rules], "roscpp", unknown)
+    assert own.elsewhere("/ns/cam/left/image") == (patterns, for_certain)
+
+
+def test_a_nodelet_looks_a_name_up_once_as_roscpp_does() -> None:
+    own = NodeletNamer(namer("roscpp", ("a", "b"), ("b", "c")), None)
+    assert (own.topic("a").name, own.resolve("~/x").name) == ("/ns/b", "/ns/node/x")
 
 
 NODELETS = [
