@@ -83,6 +83,6 @@ class Shift:
         number = bisect_right(self._starts, offset)
         if number:
             last = self._edits[number - 1]
-            if offset < last.end or (offset == last.start and last.start < last.end):
+            if offset < last.end:
                 return last.start + self._moved[number - 1]
         return offset + self._moved[number]

@@ -41,6 +41,7 @@ def test_apply(before: bytes, edits: list[Edit], after: bytes) -> None:
     ("before", "edits", "reason"),
     [
         (b"<a>\xff</a>", [edit(1, 2, "b")], "not all of its bytes are utf-8"),
+        (b"<a>\x80</a>", [edit(1, 2, "b")], "not all of its bytes are utf-8"),
         (b"<?xml version='1.0' encoding='us-ascii'?><a/>", [edit(42, 43, "\xe4")], "its encoding, ascii, cannot hold '\xe4'"),
         (b"<a/>", [edit(3, 9, "")], "it has been changed since it was checked"),
         (b"<a/>", [edit(0, 2, ""), edit(1, 3, "")], "it has been changed since it was checked"),
@@ -66,7 +67,8 @@ def test_what_cannot_be_done(before: bytes, edits: list[Edit], reason: str) -> N
     ],
 )
 def test_edits_that_go_together(one: tuple[int, int], other: tuple[int, int], together: bool) -> None:
-    for first, second in ((one, other), (other, one)):
+    far = [(start + 10_000, end + 10_000) for start, end in (one, other)]
+    for first, second in ((one, other), (other, one), far, far[::-1]):
         claims = Claims()
         assert claims.take([edit(*first, "x")])
         assert claims.take([edit(*second, "x")]) is together

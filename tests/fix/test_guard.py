@@ -40,12 +40,29 @@ SAME: dict[str, tuple[str, str]] = {
         '<arg name="a" default="1"/><arg name="b" default="1"/><group if="false">[[n]]</group>',
         '<arg name="b" default="1"/><arg name="a" default="1"/><group if="false">[[n]]</group>',
     ),
+    "a remap after what is never taken": ('<group if="false">[[n]]</group><remap from="a" to="b"/>', '<group if="false">[[n]]</group>'),
+    "parameters of which one begins like another": (
+        '<param name="ab" value="1"/><param name="a" value="1"/>', '<param name="a" value="1"/><param name="ab" value="1"/>',
+    ),
 }  # fmt: skip
+
+NEVER_SEEN = "no configuration shows what this does to the <group> under a condition that is never met, or of unknown name"
 
 CHANGED: dict[str, tuple[str, str, str]] = {
     "a node goes": ("[[n]][[m]]", "[[n]]", "the node '/m' would be gone"),
     "a node comes": ("[[n]]", "[[n]][[m]]", "there would be another node '/m'"),
     "the order of nodes": ("[[n]][[m]]", "[[m]][[n]]", "the order of the nodes would change, beginning with '/n'"),
+    "the order of nodes, the other way round": (
+        "[[m]][[n]]", "[[n]][[m]]", "the order of the nodes would change, beginning with '/m'",
+    ),
+    "a private remap to itself that takes a global one back": (
+        '[[n | <remap from="/n/a" to="b"/><remap from="~a" to="~a"/>]]', '[[n | <remap from="/n/a" to="b"/>]]',
+        "the node '/n' would change: remaps from (('/n/a', 'b'), ('~a', '~a')) to (('/n/a', 'b'),)",
+    ),
+    "a value that can just be shown": (
+        f'<param name="a" value="{"x" * 118}"/>', f'<param name="a" value="{"y" * 119}"/>',
+        f"the parameter '/a' would change from '{'x' * 118}' to '{'y' * 116}…",
+    ),
     "an attribute of a node": (
         '[[n respawn="true" required="false"]]', "[[n]]", "the node '/n' would change: respawn from True to False",
     ),
@@ -147,20 +164,35 @@ CHANGED: dict[str, tuple[str, str, str]] = {
     ),
     "never taken": (
         '<group if="false">[[n ns="a"]]</group>', '<group if="false">[[n ns="b"]]</group>',
-        "no configuration shows what this does to the <group> under a condition that is never met, or of unknown name",
+        NEVER_SEEN,
     ),
     "a remap before what is never taken": (
         '<remap from="a" to="b"/><group if="false">[[n]]</group>', '<group if="false">[[n]]</group><remap from="a" to="b"/>',
-        "no configuration shows what this does to the <group> under a condition that is never met, or of unknown name",
+        NEVER_SEEN,
     ),
     "an arg before what is never taken": (
         SIM + '<group if="false">[[n args="$(arg sim)"]]</group>', '<group if="false">[[n args="$(arg sim)"]]</group>' + SIM,
-        "no configuration shows what this does to the <group> under a condition that is never met, or of unknown name",
+        NEVER_SEEN,
     ),
     "a parameter after what is never taken": (
         '<param name="a" value="1"/><param if="false" name="a" value="2"/><param name="a" value="1"/>',
         '<param name="a" value="1"/><param if="false" name="a" value="2"/>',
         "no configuration shows what this does to the <param> under a condition that is never met, or of unknown name",
+    ),
+    "the second of two that touch and are never taken": (
+        '<group if="false">[[n]]</group><group if="false">[[m]]</group>',
+        '<group if="false">[[n]]</group><group if="false">[[m ns="a"]]</group>', NEVER_SEEN,
+    ),
+    "the second of what is never taken": (
+        '<group if="false">[[n]][[m]]</group>', '<group if="false">[[n]][[m ns="a"]]</group>', NEVER_SEEN,
+    ),
+    "a remap between two that are never taken": (
+        '<group if="false">[[n]]</group><remap from="a" to="b"/><group if="false">[[m]]</group>',
+        '<group if="false">[[n]]</group><group if="false">[[m]]</group>', NEVER_SEEN,
+    ),
+    "the namespace of parameters that are not known": (
+        '<rosparam file="$(find nowhere)/x.yaml" ns="a"/>', '<rosparam file="$(find nowhere)/x.yaml" ns="b"/>',
+        "the unresolved item 'parameters of unknown names' would change: namespace from '/a/' to '/b/'",
     ),
     "a remap before an include that is not here": (
         '<remap from="a" to="b"/><include file="$(find nowhere)/x.launch"/>',
@@ -244,6 +276,38 @@ def test_what_only_a_file_that_includes_it_shows(tmp_path: Path) -> None:
         assert Guard(session).refusal(*edit) == ""
         guard = Guard(session, lambda each: [Caller(str(tmp_path / MAIN))] if each == file else [])
         assert guard.refusal(*edit) == f"the parameter '/n/b' would be gone (with {MAIN})"
+
+
+@pytest.mark.parametrize("caller", ["a.launch", "z.launch"])
+def test_who_else_includes_it_is_asked_for_what_it_sees_alone(caller: str, tmp_path: Path) -> None:
+    """What a caller never shows, since it gives the arg one value, is shown by the file itself; what it changes is told with its name."""
+    part = SIM + '<group if="$(arg sim)"><param name="a" value="{}"/></group><param name="b" value="{}"/>'
+    main = f'<include file="{MAIN}"><arg name="sim" value="false"/></include><param name="b" value="2"/>'
+    write(case(part.format("1.0", 1), files={caller: main}), tmp_path)
+    with inside(tmp_path):
+        session = session_in(tmp_path)
+        file = str(tmp_path / MAIN)
+        callers = [Caller(str(tmp_path / caller)), Caller(file)]
+        guard = Guard(session, lambda _: callers)
+        before = content(MAIN, part.format("1.0", 1))
+        assert guard.refusal(file, before, content(MAIN, part.format("1.00", 1))) == ""
+        late = content(MAIN, '<param name="~c" value="1"/>' + part.format("1.0", 1))
+        assert guard.refusal(file, before, late) == ""
+        (tmp_path / caller).write_bytes(content(caller, f'<param name="~d" value="1"/>{main}[[n]]'))
+        assert Guard(session_in(tmp_path), lambda _: callers).refusal(file, before, late) == (
+            f"there would be another parameter '/n/c' (with {caller})"
+        )
+
+
+@pytest.mark.parametrize("other", ["a.launch", "z.launch"])
+def test_a_node_of_another_file_that_stands_at_the_same_place_says_nothing_of_this_one(other: str, tmp_path: Path) -> None:
+    node = '<node pkg="p" type="t" name="$(eval unknown)"><param name="a" value="{}"/></node>'
+    text = f'<launch><include file="{other}"/>{node}</launch>'
+    at = text.index("<node")
+    write(case("", files={other: f"<launch>{' ' * (at - len('<launch>'))}[[known]]</launch>"}), tmp_path)
+    with inside(tmp_path):
+        before, after = (text.replace("{}", value).encode() for value in "12")
+        assert Guard(session_in(tmp_path)).refusal(str(tmp_path / MAIN), before, after) == NEVER_SEEN.replace("<group>", "<node>")
 
 
 def test_other_files_are_read_from_the_session(tmp_path: Path) -> None:
