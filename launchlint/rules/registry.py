@@ -345,7 +345,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL941", "controller-not-configured", "ros2.controller_not_configured", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL942", "qos-incompatible", "ros2.qos_incompatible", ERROR, view="graph", dialects=(ROS2,)),
     Entry("LL943", "sim-time-patchy", "ros2.sim_time_patchy", WARNING, view="launch", dialects=(ROS2,)),
-    Entry("LL944", "anonymous-gets-named-params", "ros2.anonymous_gets_named_params", WARNING, dialects=(ROS2,), ros2=("NamedForUnnamed",)),
+    Entry("LL944", "anonymous-gets-named-params", "ros2.anonymous_gets_named_params", WARNING, view="graph", dialects=(ROS2,)),
     Entry("LL945", "not-installed", "packages.not_installed", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL946", "not-in-libexec", "nodes.not_in_libexec", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),

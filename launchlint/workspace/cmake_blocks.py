@@ -86,8 +86,3 @@ def block_end(listed: Sequence[Command], start: int) -> int:
             if level == 0:
                 return position
     return len(listed)
-
-
-def never(command: Command) -> bool:
-    """Whether the condition is a constant that is false."""
-    return len(command.arguments) == 1 and command.arguments[0].text.upper() in ("0", "OFF", "NO", "FALSE", "N")

@@ -1,8 +1,8 @@
 """What a CMakeLists.txt builds and installs, read without running CMake.
 
-Every branch of every ``if`` is taken, so that the names found are those of all configurations together. What cannot be known here
-(a variable set elsewhere, a macro of another package, a generator expression) is never guessed: it is noted as a reason why
-the list of executables, or that of installed files, may lack something.
+Each branch of an ``if`` is taken that some configuration takes: the names found are those of all together. What cannot be known here (a
+variable set elsewhere, a macro of another package, a generator expression) is never guessed: it is noted as a reason why the list of
+executables, or that of installed files, may lack something.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from collections.abc import Callable, Sequence
 from launchlint.late import late
 from launchlint.workspace.ament.cmake import PREFIX_VARIABLES, ament_command, auto_sources
 from launchlint.workspace.cmake import CMakeError, Command, commands
-from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
+from launchlint.workspace.cmake_blocks import block_end, parsed, section, sources_and_rest
+from launchlint.workspace.cmake_conditions import truth
 from launchlint.workspace.cmake_exports import Exported, within
 from launchlint.workspace.cmake_installs import install, install_programs
 from launchlint.workspace.cmake_made import MAKING, RUNNING, runs_another_build
@@ -155,9 +156,8 @@ class _Reader:
         self._blocks -= 1
 
     def _branches(self, opening: Command, body: Sequence[Command], depth: int) -> None:
-        before = self.scope.variables
-        outcomes: list[dict[str, Value]] = []
-        start, level, skip, has_else = 0, 0, never(opening), False
+        before, outcomes, holds = self.scope.variables, list[dict[str, Value]](), truth(opening, self.scope.constants)
+        start, level, skip, decided = 0, 0, holds is False, holds is True
         for position, command in enumerate([*body, Command("endif", (), 0)]):
             if command.name == "if":
                 level += 1
@@ -168,9 +168,9 @@ class _Reader:
                     self.scope.variables = dict(before)
                     self.run(body[start:position], depth)
                     outcomes.append(self.scope.variables)
-                start, skip = position + 1, command.name == "elseif" and never(command)
-                has_else = has_else or command.name == "else"
-        self.scope.branch(before, outcomes, exhaustive=has_else)
+                holds = truth(command, self.scope.constants)
+                start, skip, decided = position + 1, decided or holds is False, decided or holds is True
+        self.scope.branch(before, outcomes, exhaustive=decided)
 
     def _foreach(self, opening: Command, body: Sequence[Command], depth: int) -> None:
         arguments = self.scope.expand(opening.arguments)
@@ -245,7 +245,7 @@ class _Reader:
             self.scope.project(first)
             self.facts.project = self.facts.project or first or ""
         elif name == "set" and first is not None:
-            self.scope.assign(first, arguments[1:])
+            self.scope.assign(first, arguments[1:], settled=not (depth or self._blocks))
             if None in arguments:
                 self.scope.assign_any(first, self.scope.expand(command.arguments, any_way=True)[1:])
         elif name == "unset" and first is not None:

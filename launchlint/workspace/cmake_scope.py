@@ -9,6 +9,7 @@ from fnmatch import fnmatchcase
 from types import MappingProxyType
 
 from launchlint.workspace.cmake import Argument
+from launchlint.workspace.cmake_conditions import constant
 
 Value = str | None
 """Text of an argument or variable (lists with semicolons, as in CMake); ``None`` where it cannot be known here."""
@@ -46,10 +47,11 @@ class Scope:
     """The variables of one package's CMake files; ``files`` gives its files relative to ``root``, with ``/``; ``more`` are set beforehand.
 
     ``unions`` has, for lists that are not known since ways through an ``if`` differ, what any of the ways puts into them; ``ways`` has,
-    for variables of which some ways are known, the values on those.
+    for variables of which some ways are known, the values on those; ``constants``, for those that the file itself sets to a constant of
+    CMake, whatever it is configured with, whether it is a true one.
     """
 
-    __slots__ = ("_files", "_globs", "root", "unions", "variables", "ways")
+    __slots__ = ("_files", "_globs", "constants", "root", "unions", "variables", "ways")
 
     def __init__(self, root: str, files: Callable[[], Sequence[str]], more: Mapping[str, Value] = MappingProxyType({})) -> None:
         self.root = root
@@ -58,6 +60,7 @@ class Scope:
         self.variables: dict[str, Value] = {**_DESTINATIONS, **more}
         self.unions: dict[str, str] = {}
         self.ways: dict[str, tuple[str, ...]] = {}
+        self.constants: dict[str, bool] = {}
         for name in ("CMAKE_SOURCE_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR", "PROJECT_SOURCE_DIR"):
             self.variables[name] = root
 
@@ -128,14 +131,17 @@ class Scope:
         if name:
             self._put(f"{name}_SOURCE_DIR", self.variables.get("PROJECT_SOURCE_DIR"))
 
-    def assign(self, name: str, values: Sequence[Value]) -> None:
-        """``set(name values…)``."""
+    def assign(self, name: str, values: Sequence[Value], *, settled: bool = False) -> None:
+        """``set(name values…)``; ``settled``: it is come to in any case. What ``find_package`` sets is no constant."""
         kept: list[Value] = []
         for value in values:
             if value in ("CACHE", "PARENT_SCOPE"):
                 break
             kept.append(value)
         self._put(name, _joined(kept))
+        holds = constant(str(values[0])) if settled and len(values) == 1 and not name.upper().endswith("_FOUND") else None
+        if holds is not None:
+            self.constants[name] = holds
 
     def assign_any(self, name: str, values: Sequence[Value]) -> None:
         """What a variable that is not known has in it, expanded with ``any_way``."""
@@ -264,6 +270,7 @@ class Scope:
         return _joined([each if base is None else os.path.relpath(each, base) for each in sorted(found)])
 
     def _put(self, name: str, value: Value) -> None:
+        self.constants.pop(name, None)
         if name in self.variables or len(self.variables) < _MOST_VARIABLES:
             self.variables[name] = value
 

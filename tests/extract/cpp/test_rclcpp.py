@@ -531,6 +531,15 @@ def test_a_lifecycle_node_that_its_own_program_manages(call: str, tmp_path: Path
     assert variant_of(facts, doubts, "", ROS2, nodes)[0]["managed"] is True
 
 
+@pytest.mark.parametrize(("call", "bonds"), [("createBond();", [("bond", "active")]), ("", [])])
+def test_a_node_of_nav2_keeps_a_bond_where_it_makes_one(call: str, bonds: list[tuple[str, str]], tmp_path: Path) -> None:
+    source = LIFECYCLE.replace("rclcpp_lifecycle::LifecycleNode", "nav2_util::LifecycleNode")
+    source = source.replace("return LifecycleNode::on_activate(state);", f"{call} return CallbackReturn::SUCCESS;")
+    facts, _, _ = follow(tmp_path, source, "demo::Life")
+    found = [(each.name, each.exists) for each in facts if each.type == "bond/msg/Status"]
+    assert found == sorted(bonds * 2)
+
+
 def test_who_manages_another_node_waits_for_somebody_itself(tmp_path: Path) -> None:
     inner = 'class Inner : public rclcpp_lifecycle::LifecycleNode { public: Inner() : LifecycleNode("inner") {} };\nclass Life'
     made = "auto inner = std::make_shared<Inner>(); inner->configure();"

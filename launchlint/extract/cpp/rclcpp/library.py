@@ -265,14 +265,17 @@ def _bond(asked: Call) -> Value:
 
 
 def _nav2_node(asked: Call) -> Value:
-    """``nav2_util::LifecycleNode(name, namespace, options)``: it keeps a bond to its lifecycle manager while it is active."""
+    """``nav2_util::LifecycleNode(name, namespace, options)``."""
     value = nodes.maker(lifecycle=True)(asked)
     params.declared(asked._replace(types=(Type("double"),)), value, Text("bond_heartbeat_period"), Number(0.1), UNKNOWN)
-    before, asked.machine.exists = asked.machine.exists, "active"
-    for category in ("publishers", "subscribers"):
-        note(asked, value, category, Text("bond"), type="bond/msg/Status")
-    asked.machine.exists = before
     return value
+
+
+def _create_bond(handle: Value, asked: Call) -> Value:
+    """``createBond()`` of a node of nav2_util: the bond to its lifecycle manager, which it keeps until ``destroyBond()``."""
+    for category in ("publishers", "subscribers"):
+        note(asked, handle, category, Text("bond"), type="bond/msg/Status")
+    return UNKNOWN
 
 
 def _simple_server(asked: Call) -> Value:
@@ -362,7 +365,7 @@ METHODS: dict[tuple[str, str], Does[[Thing, Call], Value]] = {
     ("image_transport::Publisher", "getTopic"): lambda this, asked: held(this, "<topic>"),
     ("image_transport::Subscriber", "getTopic"): lambda this, asked: held(this, "<topic>"),
 }
-OF_HANDLE = {"add_parameter": _add_parameter}
+OF_HANDLE = {"add_parameter": _add_parameter, "createBond": _create_bond}
 HARMLESS = frozenset(
     """std::vector std::map std::pair std::tuple std::set std::shared_ptr std::weak_ptr rclcpp::Rate rclcpp::WallRate tf2_ros::MessageFilter
     rclcpp::executors::SingleThreadedExecutor rclcpp::executors::MultiThreadedExecutor rclcpp::TimeSource rclcpp::GraphListener

@@ -18,7 +18,7 @@ _WORDS = frozenset(
     wait_for_message create_camera_publisher create_camera_subscription advertise advertiseCamera subscribe subscribeCamera
     create_sub_node add_on_set_parameters_callback add_parameter declare_parameter_if_not_declared declare_or_get_parameter thread
     createInstance createSharedInstance createUniqueInstance ParamListener get_params
-    on_configure on_activate configure activate trigger_transition""".split()
+    on_configure on_activate configure activate trigger_transition createBond""".split()
 )
 _EVERYWHERE = frozenset(("Buffer", "NodeOptions"))
 """Classes that many functions are given which make no names."""
