@@ -17,13 +17,14 @@ def truth(command: Command, constants: Mapping[str, bool]) -> bool | None:
     """
     if command.name == "else":
         return True
-    *before, last = command.arguments or (None,)
-    if last is None or last.quoted or last.literal or [each.text for each in before if each] not in ([], ["NOT"]):
+    words = [each.text for each in command.arguments if not (each.quoted or each.literal)]
+    negated = words[:1] == ["NOT"]
+    if len(words) != 1 + negated or len(words) != len(command.arguments):
         return None
-    found = constant(last.text)
+    found = constant(words[-1])
     if found is None:
-        found = constants.get(last.text)
-    return found if found is None or not before else not found
+        found = constants.get(words[-1])
+    return not found if negated and found is not None else found
 
 
 def constant(text: str) -> bool | None:

@@ -118,6 +118,9 @@ def of_cmake(package: Package, facts: CMakeFacts, files: Mapping[str, int], scri
     programs = [*_targets(facts), *_files(facts.installs, package, files)]
     programs += [Program(each.name, "console_scripts", each.sources, below_prefix(each.destination), each.entry) for each in scripts]
     gaps = [(reason, below_prefix(destination)) for reason, destination in facts.gaps]
+    outside = [each for each in facts.installs if each.is_directory and not f"{each.path}/".startswith(f"{package.directory}/")]
+    to_programs = {below_prefix(each.destination) for each in outside} & {f"lib/{package.name}", "lib"}
+    gaps += [("files of a directory outside of the package are not looked at", each) for each in sorted(filter(None, to_programs))]
     local = {reason for reason, _ in gaps} - {reason for reason, destination in gaps if destination is None}
     return Installed(
         package.name,

@@ -190,6 +190,8 @@ def test_programs(case: str, install: Make, tmp_path: Path) -> None:
         "install(PROGRAMS ${unknown} DESTINATION lib/${PROJECT_NAME})",
         "install(PROGRAMS scripts/e.py DESTINATION ${unknown})",
         "rclcpp_components_register_node(parts PLUGIN x EXECUTABLE ${unknown})",
+        "install(DIRECTORY ../scripts/ DESTINATION lib/${PROJECT_NAME})",
+        "get_filename_component(UP ${CMAKE_CURRENT_SOURCE_DIR}/../.. ABSOLUTE)\ninstall(DIRECTORY ${UP}/lib/rover DESTINATION lib)",
     ],
 )
 def test_programs_that_are_not_known_may_be_any(text: str, install: Make) -> None:
