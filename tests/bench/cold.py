@@ -1,4 +1,5 @@
-"""One cold check of one launch file, against what people run today on the same file, and against a Python that does nothing.
+"""One cold check of one launch file, against what people run today on the same file, and against a Python that does nothing or
+imports what most command lines do.
 
 ``python -m tests.bench.cold [FILE] [--runs N]``
 """
@@ -55,6 +56,7 @@ def measure(file: Path, runs: int) -> None:
     name = str(file)
     commands = {
         "python -c pass": [sys.executable, "-c", "pass"],
+        "python -c 'import click, yaml'": [sys.executable, "-c", "import click, yaml"],
         "launchlint check": launchlint("check", "--no-cache", name),
     }
     require_output(timed(commands["launchlint check"]))
