@@ -40,6 +40,7 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
     described.Handler: programs.handler,
     described.Transition: programs.transition,
     described.Opaque: programs.opaque,
+    described.Turn: scope_actions.turn,
     described.Unset: programs.unset,
     described.Maybe: programs.maybe,
     described.Open: programs.opened,

@@ -9,6 +9,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Description, Substitution
+from launchlint.syntax.ros2.loops import is_loop
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,7 +31,6 @@ OF_LAUNCH = frozenset(
 )
 """Those that launch and launch_ros read themselves, whoever sets them."""
 _OPEN = ("file-content", described.NOT_KNOWN, described.CALLED)
-_UNREAD = (described.Opaque, described.Open)
 # Not the grammar of substitutions: for texts that could not be parsed, in which whatever looks like a read is one.
 _READ = late(r"\$\(var ['\"]?([^\s()'\"$]+)")
 _INCLUDED = late(r"<include\b|(?<![\w-])include['\"]?\s*:")
@@ -82,7 +82,7 @@ def names_of(description: Description) -> Names:
             includes.append(each)
         elif isinstance(each, described.ParameterFile):
             is_open = is_open or each.allow_substs is not False
-        elif isinstance(each, _UNREAD) or (isinstance(each, described.Handler) and not isinstance(each.actions, tuple)):
+        elif isinstance(each, described.Open) or _is_called(each):
             is_open = True
         elif isinstance(each, described.Let) and each.name.literal is not None:
             lets.add(each.name.literal)
@@ -95,6 +95,13 @@ def names_of(description: Description) -> Names:
         all(isinstance(each, described.Argument) for each in description.actions),
         frozenset(lets),
     )
+
+
+def _is_called(each: object) -> bool:
+    """Whether it is a function of a program that gives actions: what is in a loop of XML or YAML can be seen."""
+    if isinstance(each, described.Opaque):
+        return not is_loop(each)
+    return isinstance(each, described.Handler) and not isinstance(each.actions, tuple)
 
 
 def parts_of(part: tuple[Any, ...]) -> Iterator[tuple[Any, bool]]:

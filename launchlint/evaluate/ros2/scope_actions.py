@@ -90,6 +90,13 @@ def pop(walk: Walk, action: described.Pop) -> None:
     _taken_off(walk, context.pop_environment() if action.what == "environment" else context.pop_configurations(), action)
 
 
+def turn(walk: Walk, action: described.Turn) -> None:
+    """One turn of a loop: what is in force beside the launch configurations is put back at its end (launch.LaunchContext._pop_locals)."""
+    directory, file = walk.context.place()
+    walk.execute(action.actions)
+    walk.context.enter(directory, file)
+
+
 def _taken_off(walk: Walk, done: bool | None, action: described.Pop | described.Group) -> None:
     """Launch stops where nothing is kept that could be put back; ``done``: whether there was, None where that is not known. What is not
     read may keep something, too.

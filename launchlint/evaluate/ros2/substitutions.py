@@ -30,6 +30,7 @@ from launchlint.late import late
 from launchlint.model import StandIn, Unknown
 from launchlint.syntax.ros2.description import AS_BOOL, CALLED, FULL_NAME, HAS_PARAMS, NOT_KNOWN, REPLACED, REWRITTEN, Substitution
 from launchlint.syntax.ros2.live import Stopped
+from launchlint.syntax.ros2.looping import FOR_VARIABLE, INDEX_OF_LOOP
 
 _FOLD = str.maketrans(".-:", "___")
 _PACKAGE = late(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
@@ -99,6 +100,23 @@ def _var(performer: Performer, substitution: Substitution) -> Value:
             in_expression=False,
             elsewhere=set_elsewhere(performer.session, origin.place.source, name),
         )
+    )
+
+
+def _of_loop(performer: Performer, substitution: Substitution) -> Value:
+    """``$(for-var NAME default)`` and ``$(index NAME)`` that no loop around them in the file has given a value
+    (:mod:`launchlint.syntax.ros2.loops`); one around an include may have.
+    """
+    name, origin = _known(performer, substitution, 0), performer.where(substitution.place)
+    if origin.step is not None:
+        return Unknown(substitution.place.text, f"a loop around the include may give {name} a value")
+    if substitution.name == FOR_VARIABLE and len(substitution.arguments) > 1:
+        return performer.perform(substitution.arguments[1])
+    from launchlint.syntax.ros2.python.problems import StopsWithError
+
+    what = f"there is no value for {name}"
+    raise Failure(
+        StopsWithError(origin=origin, refused=True, error="RuntimeError", what=what, stated=False, called=True, action=substitution.name)
     )
 
 
@@ -376,6 +394,8 @@ PERFORM: dict[str, Perform] = {
     name: _of_known(perform)
     for name, perform in {
         "var": _var,
+        FOR_VARIABLE: _of_loop,
+        INDEX_OF_LOOP: _of_loop,
         "env": _env,
         "find-pkg-share": _share,
         "find-pkg-prefix": _prefix,

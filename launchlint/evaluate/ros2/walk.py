@@ -81,6 +81,7 @@ _TAGS: dict[type, str] = {
     described.Handler: "RegisterEventHandler",
     described.Transition: "LifecycleTransition",
     described.Opaque: "OpaqueFunction",
+    described.Turn: "turn",
     described.Unset: "UnsetLaunchConfiguration",
     described.Maybe: "maybe",
     described.Open: "open",

@@ -162,6 +162,8 @@ class _Inliner(Walk):
             self._inside(action, lambda actions: action._replace(actions=actions, condition=condition))
         elif isinstance(action, described.Opaque):
             self._inside(action, lambda actions: _plain_group(actions, action.place, condition), splice=condition is None)
+        elif isinstance(action, described.Turn):
+            self._inside(action, lambda actions: _plain_group(actions, action.place, None), splice=True)
         elif isinstance(action, (described.Timer, described.Handler)):
             self._deferring(action, condition)
         elif isinstance(action, (described.Node, described.Executable)):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.loops import is_loop
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -60,7 +61,9 @@ def no_tag(action: Action) -> str:
         return action.reason
     if isinstance(action, described.Fails):
         return "launch stops here"
-    return "it is never called as this is exported" if isinstance(action, described.Opaque) else "XML and YAML have nothing for it"
+    if isinstance(action, described.Opaque):
+        return "it is known only when it runs how often it goes round" if is_loop(action) else "it is never called as this is exported"
+    return "XML and YAML have nothing for it"
 
 
 _WORDS = {
@@ -93,4 +96,6 @@ def in_words(item: Any) -> str:
         name = item.name.literal if item.name is not None else None
         executable = item.executable.literal
         return f"the node {name or executable}" if name or executable else "a node"
+    if isinstance(item, described.Opaque) and is_loop(item):
+        return "a loop"
     return _WORDS.get(type(item).__name__, type(item).__name__)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from launchlint.syntax.ros2 import description as actions
 from launchlint.syntax.ros2.description import Component, Parameter, Process, Remap, Text, TypedValue
 from launchlint.syntax.ros2.fields import Fields
+from launchlint.syntax.ros2.looping import FOR_EACH, FOR_LOOP
+from launchlint.syntax.ros2.loops import Loop
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -124,6 +126,13 @@ def _timer(read: Fields) -> Action:
     return actions.Timer(read.must("period") if period is None else period, _actions(read), read.place, read.condition, cancelled)
 
 
+def _loop(kind: str, over: str) -> Callable[[Fields], Action]:
+    def make(read: Fields) -> Action:
+        return actions.Opaque(Loop(kind, read.must(over), read.get("name", str), _actions(read), read.place), read.place, read.condition)
+
+    return make
+
+
 def _actions(read: Fields) -> tuple[Action, ...]:
     return read.get("actions", tuple) or ()
 
@@ -202,5 +211,7 @@ MAKE: dict[str, Callable[[Fields], Action | None]] = {
     "shutdown": _shutdown,
     "timer": _timer,
     "ros_timer": _timer,
+    "for": _loop(FOR_LOOP, "len"),
+    "for_each": _loop(FOR_EACH, "values"),
 }
 """By the name of the tag."""

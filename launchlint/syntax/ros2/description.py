@@ -14,16 +14,10 @@ from launchlint.source import Place
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Literal, TypeAlias
 
-    from launchlint.model import Unknown
-    from launchlint.syntax.ros2.live import LiveContext
-
-    Call: TypeAlias = Callable[[LiveContext], tuple["Action", ...]]
-    """What is called when its action is executed, and gives further actions. Raises whatever the live context raises."""
-    Gives: TypeAlias = Callable[[LiveContext], str | Unknown]
-    """The same for a text."""
+    from launchlint.syntax.ros2.live import Call as Call
+    from launchlint.syntax.ros2.live import Gives as Gives
 
 NOT_KNOWN = "?"
 """The name of a substitution whose value is not known; its argument says why. No front end can write it. A second argument is a text that
@@ -169,10 +163,7 @@ class Let(NamedTuple):
 
 
 class Include(NamedTuple):
-    """``<include>``: ``arguments`` in order.
-
-    ``description`` is what is included where it is of no file: ``file`` is the place that it is said to be from then (Python only).
-    """
+    """``<include>``. ``description`` is what comes of no file (Python only): it is said to be from ``file`` then."""
 
     file: Text
     arguments: tuple[Pair, ...]
@@ -436,9 +427,17 @@ class Transition(NamedTuple):
 
 
 class Opaque(NamedTuple):
-    """``OpaqueFunction`` (Python only): a function that is called when it is executed, with the context of that moment."""
+    """``OpaqueFunction`` and the loops: what is called when it is executed, with the context of that moment, gives further actions."""
 
     call: Call
+    place: Place
+    condition: Condition | None = None
+
+
+class Turn(NamedTuple):
+    """One turn of a loop (XML and YAML only): at its end ``$(dirname)`` and ``$(filename)`` say what they said before it."""
+
+    actions: tuple[Action, ...]
     place: Place
     condition: Condition | None = None
 
@@ -487,7 +486,7 @@ class Fails(NamedTuple):
 Action: TypeAlias = (
     "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
     " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
-    " | ReplaceEnvironment | Push | Pop | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Transition | Opaque | Unset"
+    " | ReplaceEnvironment | Push | Pop | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Transition | Opaque | Turn | Unset"
     " | Maybe | Open | Unsettled | Fails"
 )
 

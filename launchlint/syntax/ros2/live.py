@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.model import Unknown
     from launchlint.problem import Problem
-    from launchlint.syntax.ros2.description import Condition, Text
+    from launchlint.syntax.ros2.description import Action, Condition, Text
 
 
 class LiveContext(Protocol):
@@ -56,6 +56,20 @@ class LiveContext(Protocol):
 
     def remember(self) -> None:
         """The function has changed what later ones in the same launch may read, other than the context."""
+
+
+class Call(Protocol):
+    """What is called when its action is executed, and gives further actions. Raises whatever the live context raises."""
+
+    def __call__(self, live: LiveContext, /) -> tuple[Action, ...]:
+        """Those actions."""
+
+
+class Gives(Protocol):
+    """The same for a text."""
+
+    def __call__(self, live: LiveContext, /) -> str | Unknown:
+        """The string that it stands for."""
 
 
 class Stopped(Exception):

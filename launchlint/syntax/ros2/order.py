@@ -39,6 +39,8 @@ ORDER = {
     "log": (*_CONDITIONS, "message"),
     "shutdown": (*_CONDITIONS, "reason"),
     "timer": (*_CONDITIONS, "period", "cancel_on_shutdown"),
+    "for": (*_CONDITIONS, "name", "len"),
+    "for_each": (*_CONDITIONS, "values"),
     "ros_timer": (*_CONDITIONS, "period"),
 }
 """Tag to its attributes. Where ROS 1 has the tag, too, they go together with its order."""

@@ -1,7 +1,7 @@
 """The tags of ROS 2 launch files as data: what launch reads of each, in the order in which it reads it, and since which distribution.
 
 The order matters: launch stops at the first thing that is wrong, and reads one entity to its end before it complains of what it did not
-read. Source: the ``parse`` methods of launch 1.0 to 3.7 and launch_ros 0.19 to 0.28.
+read. Source: the ``parse`` methods of launch 1.0 to 3.7 and launch_ros 0.19 to 0.28; of loops that of launch 3.8.
 """
 
 from __future__ import annotations
@@ -98,6 +98,7 @@ _IF = Conditions()
 _NAME, _VALUE = _must("name"), _must("value")
 _REMAP = (_must("from"), _must("to"))
 _JAZZY = "jazzy"
+_KILTED = "kilted"
 
 _PROCESS: tuple[Read, ...] = (
     Attribute("cwd"),
@@ -179,7 +180,9 @@ _TAGS = (
     Tag("shutdown", (_IF, Attribute("reason"))),
     Tag("timer", (_IF, _must("period", Kind.PERIOD), Actions(), Attribute("cancel_on_shutdown", Kind.FLAG_OR_TEXT))),
     Tag("ros_timer", (_IF, _must("period", Kind.PERIOD), Actions())),
-    *(Tag(name, (), since=LATER) for name in ("for", "for_each", "lifecycle_node", "log_debug", "log_info", "log_warning", "log_error")),
+    Tag("for", (_IF, _must("name", Kind.WORD), Actions(), _must("len")), since=_KILTED),
+    Tag("for_each", (_IF, Actions(), _must("values")), since=_KILTED),
+    *(Tag(name, (), since=LATER) for name in ("lifecycle_node", "log_debug", "log_info", "log_warning", "log_error")),
 )
 
 TAGS = {tag.name: tag for tag in _TAGS}
@@ -233,8 +236,8 @@ SUBSTITUTIONS = {
     "launch_log_dir": Arity(0, 0, _JAZZY),
     "any": Arity(0, 1_000_000, _JAZZY, broken=True),
     "all": Arity(0, 1_000_000, _JAZZY, broken=True),
-    "for-var": _UNKNOWN,
-    "index": _UNKNOWN,
+    "for-var": Arity(1, 2, _KILTED),
+    "index": Arity(1, 2, _KILTED),
     "string-join": _UNKNOWN,
     "path-join": _UNKNOWN,
 }

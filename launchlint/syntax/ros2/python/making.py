@@ -10,8 +10,8 @@ from launchlint.python.values import Bound, Choice, Class, Function, Handle, Ins
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Component, Pair, Process, Remap, Substitution, Text, unknown
+from launchlint.syntax.ros2.looping import FOR_EACH, FOR_LOOP
 from launchlint.syntax.ros2.python.conditions import condition
-from launchlint.syntax.ros2.python.looping import FOR_EACH, FOR_LOOP
 from launchlint.syntax.ros2.python.parameters import extra_arguments, parameters, set_value
 from launchlint.syntax.ros2.python.problems import StopsWithError
 from launchlint.syntax.ros2.python.recogniser import EVENT

@@ -8,15 +8,16 @@ from launchlint.model import StandIn
 from launchlint.model import Unknown as NotKnown
 from launchlint.python.failures import Raised
 from launchlint.python.memory import Ended, Exhausted, Log, taken_back
+from launchlint.python.plain import NotPlain, value_of
 from launchlint.python.reaching import reaches
 from launchlint.python.values import MISSING, Handle, Instance, Map, Scope, Seq, Unknown, Value
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action
 from launchlint.syntax.ros2.live import Stopped
+from launchlint.syntax.ros2.looping import Refused, TooMany, turns
 from launchlint.syntax.ros2.python.conditions import condition_of
 from launchlint.syntax.ros2.python.ending import actions_of
-from launchlint.syntax.ros2.python.looping import Refused, TooMany, turns
 from launchlint.syntax.ros2.python.problems import StopsWithError
 from launchlint.syntax.ros2.python.texts import Texts, is_own_substitution, is_substitution
 
@@ -192,14 +193,14 @@ class Caller:
                 return (described.Open(found.reason if isinstance(found, Unknown) else f"what {kind} goes through is not known", place),)
             lacking = self._running.lacking
             try:
-                given = turns(kind, found)
+                given = [{name: value_of(value) for name, value in each.items()} for each in turns(kind, found)]
             except Refused as refused:
                 problem: Problem = StopsWithError(
                     origin=Origin(place), refused=True, error=refused.error, what=refused.what, stated=False, called=True, lacking=lacking,
                     action=kind,
                 )  # fmt: skip
                 return (described.Fails(problem, place),)
-            except TooMany:
+            except (TooMany, NotPlain):
                 return (described.Open(f"{kind} goes through too much to be followed", place),)
             return tuple(action for each in given for action in self._call(live, function, [], each, place))
 
