@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from launchlint.evaluate.ros2.parameters import GlobalSource
     from launchlint.evaluate.session import Session
-    from launchlint.source import Origin
+    from launchlint.source import IncludeStep, Origin
 
     How = Literal["given", "default", "let", "passed", "kept", "anonymous", "namespace", "missing"]
 
@@ -132,7 +132,8 @@ class Context:
     ``unread``: a launch file was included that is not read, and may have set configurations of names that are not known; a scope puts that
     back, too. ``unread_environment`` says the same of variables, ``unread_parameters`` of params, which leak out of scopes. ``leaked`` are
     the remaps and params that were set in a scope whose end is passed, and are still in the lists, each by its identity. ``saved`` and
-    ``saved_environments`` are the two stacks. ``uses`` is what is done with the configurations from now on.
+    ``saved_environments`` are the two stacks. ``uses`` is what is done with the configurations from now on. ``turning`` are the files whose
+    loops are gone through, by the includes that lead to them.
     """
 
     __slots__ = (
@@ -144,6 +145,7 @@ class Context:
         "remaps",
         "saved",
         "saved_environments",
+        "turning",
         "unread",
         "unread_environment",
         "unread_parameters",
@@ -158,6 +160,7 @@ class Context:
         self.here: tuple[Value | None, Value | None] = (None, None)
         self.saved: list[SavedConfigurations] = []
         self.saved_environments: list[SavedEnvironment] = []
+        self.turning: list[IncludeStep | None] = []
         self.unread = False
         self.unread_environment = False
         self.unread_parameters = False

@@ -92,9 +92,12 @@ def pop(walk: Walk, action: described.Pop) -> None:
 
 def turn(walk: Walk, action: described.Turn) -> None:
     """One turn of a loop: what is in force beside the launch configurations is put back at its end (launch.LaunchContext._pop_locals)."""
-    directory, file = walk.context.place()
+    context = walk.context
+    directory, file = context.place()
+    context.turning.append(walk.here.step)
     walk.execute(action.actions)
-    walk.context.enter(directory, file)
+    context.turning.pop()
+    context.enter(directory, file)
 
 
 def _taken_off(walk: Walk, done: bool | None, action: described.Pop | described.Group) -> None:

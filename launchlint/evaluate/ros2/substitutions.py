@@ -108,7 +108,7 @@ def _of_loop(performer: Performer, substitution: Substitution) -> Value:
     (:mod:`launchlint.syntax.ros2.loops`); one around an include may have.
     """
     name, origin = _known(performer, substitution, 0), performer.where(substitution.place)
-    if origin.step is not None:
+    if any(step is not origin.step for step in performer.context.turning):
         return Unknown(substitution.place.text, f"a loop around the include may give {name} a value")
     if substitution.name == FOR_VARIABLE and len(substitution.arguments) > 1:
         return performer.perform(substitution.arguments[1])

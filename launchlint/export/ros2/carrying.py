@@ -9,7 +9,7 @@ from __future__ import annotations
 from launchlint.evaluate.ros2.typed import TypeFault, convert
 from launchlint.export.ros2.ending import ending, shuts_down
 from launchlint.export.ros2.losses import Left, Lost, Remark, cut, in_words, no_tag, shown
-from launchlint.export.ros2.said import SAYABLE
+from launchlint.export.ros2.said import is_sayable
 from launchlint.export.ros2.shaping import Shaper
 from launchlint.export.ros2.texts import NOWHERE, CannotWrite, TextWriter, joined
 from launchlint.export.ros2.xml import attribute_text, check
@@ -30,6 +30,7 @@ from launchlint.syntax.ros2.description import (
     Text,
     TypedValue,
 )
+from launchlint.syntax.ros2.loops import Loop
 from launchlint.syntax.ros2.tables import Attribute
 from launchlint.yaml.tree import YamlBeyond
 
@@ -94,8 +95,7 @@ class _Carrier:
             before = len(self.lost)
             try:
                 made = self._action(action)
-                bare = made._replace(actions=()) if isinstance(made, (described.Group, described.Timer)) else made
-                self._writable(self._shaper.action(bare))
+                self._writable(self._shaper.action(_bare(made)))
                 found.append(made)
             except Left as left:
                 del self.lost[before:]
@@ -119,13 +119,15 @@ class _Carrier:
             value = TypedValue(Text(("true" if action.value else "false",), action.place))
             name = Text(("use_sim_time",), action.place)
             action = described.SetParameter(name, value, action.place, action.condition)
-        if not isinstance(action, SAYABLE):
+        if not is_sayable(action):
             raise Left(action.place, no_tag(action))
         fields: dict[str, Any] = {}
         if action.condition is not None:
             fields["condition"] = self._condition(action.condition)
         if isinstance(action, (described.Group, described.Timer)):
             fields["actions"] = self.actions(action.actions)
+        if isinstance(action, described.Opaque) and isinstance(action.call, Loop):
+            fields["call"] = action.call._replace(over=self._text(action.call.over), actions=self.actions(action.call.actions))
         if isinstance(action, described.Timer) and isinstance(action.period, Text):
             period = fields["period"] = _seconds(self._text(action.period))
             if isinstance(period, Text) and period.literal is not None:
@@ -422,6 +424,15 @@ def _place(actions: tuple[Action, ...]) -> Place:
 def _somewhere(process: Process) -> Place:
     texts = (value for value in process if isinstance(value, Text))
     return next((text.place for text in texts), NOWHERE)
+
+
+def _bare(action: Action) -> Action:
+    """An action without those in it."""
+    if isinstance(action, (described.Group, described.Timer)):
+        return action._replace(actions=())
+    if isinstance(action, described.Opaque) and isinstance(action.call, Loop):
+        return action._replace(call=action.call._replace(actions=()))
+    return action
 
 
 def _written(kind: object) -> str:

@@ -61,9 +61,7 @@ def no_tag(action: Action) -> str:
         return action.reason
     if isinstance(action, described.Fails):
         return "launch stops here"
-    if isinstance(action, described.Opaque):
-        return "it is known only when it runs how often it goes round" if is_loop(action) else "it is never called as this is exported"
-    return "XML and YAML have nothing for it"
+    return "it is never called as this is exported" if isinstance(action, described.Opaque) else "XML and YAML have nothing for it"
 
 
 _WORDS = {

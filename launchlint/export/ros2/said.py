@@ -9,6 +9,8 @@ from __future__ import annotations
 from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Pair, Process, Remap
+from launchlint.syntax.ros2.looping import FOR_LOOP
+from launchlint.syntax.ros2.loops import Loop, is_loop
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -150,6 +152,14 @@ def _components(components: Iterable[Component]) -> tuple[Said, ...]:
     )
 
 
+def _loop(action: described.Opaque) -> _Found:
+    loop = action.call
+    assert isinstance(loop, Loop)
+    if loop.kind == FOR_LOOP:
+        return "for", {"name": loop.name, "len": loop.over}, {}, (), loop.actions
+    return "for_each", {"values": loop.over}, {}, (), loop.actions
+
+
 _SAY: Mapping[type, Callable[[Any], _Found]] = {
     described.Argument: _arg,
     described.Let: lambda action: _plain("let", name=action.name, value=action.value),
@@ -171,7 +181,12 @@ _SAY: Mapping[type, Callable[[Any], _Found]] = {
     described.Log: lambda action: _plain("log", message=action.message),
     described.Shutdown: lambda action: _plain("shutdown", reason=action.reason),
     described.Timer: _timer,
+    described.Opaque: _loop,
 }
 """By the class of the action. ``SetUseSimTime`` is not among them: the front ends cannot make it."""
-SAYABLE = tuple(_SAY)
-"""The actions that a declarative launch file can hold."""
+_SAYABLE = frozenset(_SAY)
+
+
+def is_sayable(action: Action) -> bool:
+    """Whether a declarative launch file can hold the action: a loop, but no function of a program."""
+    return is_loop(action) if isinstance(action, described.Opaque) else type(action) in _SAYABLE

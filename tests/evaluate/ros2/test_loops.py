@@ -30,6 +30,7 @@ CASES = {
         ["xy"],
     ),
     "a default without a loop": (NODE.format("n$(for-var k z)"), ["nz"]),
+    "a default in an included file": ('<include file="$(dirname)/default.launch.xml"/>', ["d", "nz"]),
     "what a turn sets stays": (TWICE.format('<let name="x$(index i)" value="$(index i)"/>') + NODE.format("v$(var x1)"), ["v1"]),
     "an include in each turn": (
         TWICE.format('<include file="$(dirname)/inc.launch.xml"><arg name="a" value="$(index i)"/></include>'),
@@ -44,6 +45,7 @@ OTHERS = {
     "inc.launch.xml": '<arg name="a"/>' + NODE.format("k$(var a)"),
     "below/one.launch.xml": NODE.format("one"),
     "two.launch.xml": NODE.format("two"),
+    "default.launch.xml": '<for len="1" name="i">' + NODE.format("$(for-var k d)") + "</for>" + NODE.format("n$(for-var k z)"),
 }
 
 
