@@ -125,6 +125,14 @@ def test_a_namespace_that_is_not_known(tmp_path: Path) -> None:
     assert (found.may_use("topic", "/a/out"), found.may_use("topic", "/a/b/in", "std_msgs/Bool")) == ((), ())
 
 
+def test_params_of_a_name_that_is_not_known_are_read_nowhere_for_certain(tmp_path: Path) -> None:
+    known = {"p": {"executables": {"n": program(params=[{"name": "~rate"}, {"name": "/speed"}])}}}
+    launch = '<arg name="what" value="$(find absent)"/><node pkg="p" type="n" name="$(arg what)"/><node pkg="p" type="n" name="known"/>'
+    found = graph(tmp_path, launch, known)
+    assert [[reading.name for reading in each.readings] for each in found.instances] == [["/speed"], ["/known/rate", "/speed"]]
+    assert {name: len(readings) for name, readings in found.readers.items()} == {"/known/rate": 1, "/speed": 2}
+
+
 def test_params_in_a_namespace_that_is_not_known_are_not_certain(tmp_path: Path) -> None:
     known = {"p": {"executables": {"n": program(params=[{"name": "rate"}, {"name": "/speed"}])}}}
     launch = '<arg name="what" value="$(find absent)"/><node pkg="p" type="n" name="n" ns="$(arg what)"/>'
@@ -246,9 +254,14 @@ def test_a_name_that_is_said_twice_is_there_once(tmp_path: Path) -> None:
 
 
 def test_of_two_that_say_as_much_the_first_is_kept(tmp_path: Path) -> None:
-    twice = [{"name": "x", "type": STRING}, {"name": "/x", "type": STRING}]
+    twice = [
+        {"name": "x", "type": STRING},
+        {"name": "/x", "type": STRING},
+        {"name": "~/../x"},
+        {"name": "//x", "condition": {"text": "now"}},
+    ]
     (instance,) = graph(tmp_path, '<node pkg="p" type="t" name="n"/>', {"p": {"executables": {"t": program(publishers=twice)}}}).instances
-    assert [each.declared for each in instance.endpoints] == ["x"]
+    assert [(each.declared, each.certain) for each in instance.endpoints if each.name == "/x"] == [("x", True)]
 
 
 def test_an_action_is_five_topics(tmp_path: Path) -> None:

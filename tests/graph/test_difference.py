@@ -223,6 +223,11 @@ def test_a_node_in_another_namespace_is_seen_again() -> None:
     assert moved(difference(before, after)) == {"/wheels": "/base/wheels"}
 
 
+def test_one_node_that_two_could_be_is_not_seen_again() -> None:
+    one, two = tiny.topology(nodes=[tiny.node("/driver")]), tiny.topology(nodes=[tiny.node("/a/driver"), tiny.node("/b/driver")])
+    assert (moved(difference(one, two)), moved(difference(two, one))) == ({}, {})
+
+
 def test_a_node_that_talks_to_nobody_is_a_change() -> None:
     before, after = tiny.topology("/a > /x"), tiny.topology("/a > /x", nodes=[tiny.node("/a"), tiny.node("/b")])
     assert not difference(before, after).is_empty

@@ -166,6 +166,7 @@ def test_a_namespace_that_is_not_that_of_the_launch_file() -> None:
         ([("cam", "/a")], [], ["/a/left/image"], False),
         ([("cam", "/z")], [], ["/z/left/image"], False),
         ([("cam", "cam")], [], [], False),
+        ([("/ns", "/moved")], [], [], False),
         ([], [("cam", "/*/x")], ["/*/x/left/image"], False),
         ([], [("cam/left", "/*/x")], ["/*/x/image"], False),
         ([], [("car", "/*/x")], [], False),
