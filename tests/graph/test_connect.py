@@ -296,7 +296,7 @@ def test_a_process_has_the_name_that_remappings_and_environment_give_it(tmp_path
     launch = """
     <group ns="a">
       <node pkg="my_pkg" type="cpp" name="moved"><remap from="~" to="/elsewhere"/></node>
-      <node pkg="my_pkg" type="cpp" name="env"><env name="ROS_NAMESPACE" value="b"/></node>
+      <node pkg="my_pkg" type="cpp" name="env"><env name="ROS_NAMESPACE" value="b"/><env name="LANG" value="d"/></node>
       <node pkg="my_pkg" type="cpp" name="args" args="__ns:=/c"><env name="ROS_NAMESPACE" value="b"/></node>
       <node pkg="my_pkg" type="talker.py" name="python"><remap from="~" to="/elsewhere"/></node>
     </group>
