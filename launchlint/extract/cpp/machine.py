@@ -6,13 +6,13 @@ parameters and calls; both sides of an ``if`` are followed, and what they leave 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable as Does
 from collections.abc import Sequence
 
 from launchlint.extract.cpp import classes, expressions, overloads, places, statements
 from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
 from launchlint.extract.cpp.foreign import Foreign
+from launchlint.extract.cpp.forgetting import forget
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Instance, Names, finished, is_anchored
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
@@ -55,8 +55,6 @@ _LARGEST_IRRELEVANT = 1_500
 _LARGEST_PLAIN = 500
 _MOST_STEPS_OF_IRRELEVANT = 3_000
 """Steps that one program is followed through one function that has nothing to do with names, and what that calls."""
-_ASSIGNED = re.compile(r"(?:(?<![\w.>])|(?<=this->))([A-Za-z_]\w*)\s*=(?!=)")
-"""A member that is assigned: not one of another object."""
 _PLAIN = DOUBLES | INTEGERS | {"void"}
 _CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 
@@ -375,7 +373,7 @@ class Machine:
         if not relevant:
             largest = _LARGEST_PLAIN if function.returns.name in _PLAIN else _LARGEST_IRRELEVANT
             if function.body.size > largest or self.spent.get(function, 0) > _MOST_STEPS_OF_IRRELEVANT:
-                self._forget(function, this)
+                forget(self, function, this)
                 return UNKNOWN
         begun = self.steps
         owner = self.declarations.classes.get(function.owner)
@@ -395,15 +393,6 @@ class Machine:
             if not relevant:
                 self.spent[function] = self.spent.get(function, 0) + self.steps - begun
         return either(frame.returns) if frame.returns else UNKNOWN
-
-    def _forget(self, function: Function, this: Thing | None) -> None:
-        """What a function that is not followed assigns to members of its own object, as its words say, is not known any more."""
-        if this is None or function.body is None:
-            return
-        for name in dict.fromkeys(_ASSIGNED.findall(function.body.text)):
-            cell = classes.member(self, this, name)
-            if cell is not None and not cell.constant:
-                self.write(cell, UNKNOWN)
 
     def _body(self, body: Node, frame: Frame) -> None:
         """Follow a body, and take the conditions of its early returns off afterwards."""

@@ -540,6 +540,26 @@ def test_a_node_of_nav2_keeps_a_bond_where_it_makes_one(call: str, bonds: list[t
     assert found == sorted(bonds * 2)
 
 
+@pytest.mark.parametrize(
+    ("assigned", "name"),
+    [("topics.scan", "{any}"), ("topics.other", "scan"), ("range.scan", "scan"), ("scan", "scan"), ("other->scan", "scan")],
+)
+def test_a_variable_that_a_long_function_assigns_is_not_known(assigned: str, name: str, tmp_path: Path) -> None:
+    source = f"""{HEAD}
+namespace {{
+struct Topics {{ std::string scan = "scan"; std::string other = "other"; }} topics, range;
+void load() {{ {"if (sum < 9) { sum = sum + 1; } " * 40} {assigned} = text(); }}
+}}
+class Reader : public rclcpp::Node {{
+ public:
+  Reader() : Node("reader") {{ load(); create_publisher<std_msgs::msg::String>(topics.scan, 1); }}
+}};
+int main() {{ rclcpp::spin(std::make_shared<Reader>()); }}
+"""
+    facts, _, _ = follow(tmp_path, source)
+    assert [each.name for each in facts] == [name]
+
+
 def test_who_manages_another_node_waits_for_somebody_itself(tmp_path: Path) -> None:
     inner = 'class Inner : public rclcpp_lifecycle::LifecycleNode { public: Inner() : LifecycleNode("inner") {} };\nclass Life'
     made = "auto inner = std::make_shared<Inner>(); inner->configure();"
