@@ -5,12 +5,15 @@ Source: ``rcl/src/rcl/arguments.c`` (``_rcl_parse_param_rule``) and ``rcl_yaml_p
 
 from __future__ import annotations
 
+from functools import lru_cache
+
+from launchlint.named_tuple import NamedTuple
 from launchlint.rcl import lexer
 from launchlint.rcl.lexer import Lexemes
 from launchlint.rcl.parameter_files import LISTS, TYPES
 from launchlint.rcl.parameter_value import Value, scalar
 from launchlint.rcl.refused import Refused
-from launchlint.rcl.table import ANY, Parameter, Table
+from launchlint.rcl.table import ANY, Table
 from launchlint.source import Span
 from launchlint.yaml import events
 from launchlint.yaml.refusals import YamlError
@@ -18,11 +21,35 @@ from launchlint.yaml.tree import YamlBeyond
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.rcl.parameter_value import Scalar
+    from launchlint.rcl.parameter_value import Scalar, ScalarValue
+
+
+class _Rule(NamedTuple):
+    """What a rule says: the ``key`` in front of the ``name``, where the ``value`` stands, and what the parameter is ``given``, in order."""
+
+    node: str
+    key: Span
+    name: Span
+    value: Span
+    given: tuple[Value | ScalarValue, ...]
 
 
 def add(text: str, table: Table) -> Refused | None:
     """Set in ``table`` what the rule ``text`` sets, or say why rcl refuses it."""
+    rule = _read(text)
+    if isinstance(rule, Refused):
+        return rule
+    key = table.key(rule.node, None, rule.key)
+    written = table.written(None, rule.name)._replace(value=rule.value)
+    parameter = key.parameters[key.place(text[rule.name.start : rule.name.end], written)]
+    for value in rule.given:
+        parameter.give(value)
+    return None
+
+
+@lru_cache(maxsize=4096)
+def _read(text: str) -> _Rule | Refused:
+    """The rule that is written, or why rcl refuses it. A launch gives one and the same to all of its nodes (``<set_parameter>``)."""
     lexemes = Lexemes(text)
     node = ANY
     if lexemes.kind == lexer.TOKEN and lexemes.following() == lexer.COLON:
@@ -43,13 +70,12 @@ def add(text: str, table: Table) -> Refused | None:
     value = text[lexemes.at :]
     if not value:
         return _refused(lexemes, "the value is empty")
-    key = table.key(node, None, Span(0, start))
-    written = table.written(None, name)._replace(value=Span(lexemes.at, len(text)))
-    parameter = key.parameters[key.place(text[name.start : name.end], written)]
-    return _value(value, lexemes.at, parameter)
+    given = _value(value, lexemes.at)
+    return given if isinstance(given, Refused) else _Rule(node, Span(0, start), name, Span(lexemes.at, len(text)), given)
 
 
-def _value(text: str, start: int, parameter: Parameter) -> Refused | None:
+def _value(text: str, start: int) -> tuple[Value | ScalarValue, ...] | Refused:
+    given: list[Value | ScalarValue] = []
     in_list, list_type = False, ""
     values: list[Scalar] = []
     try:
@@ -60,7 +86,7 @@ def _value(text: str, start: int, parameter: Parameter) -> Refused | None:
                     return Refused("a value is missing", span)
                 value = scalar(event.value, event.quoted, event.tag)
                 if not in_list:
-                    parameter.give(value)
+                    given.append(value)
                 elif list_type and list_type != value.type:
                     first, this = TYPES[list_type], TYPES[value.type]
                     return Refused(f"all items of a list must be of one type: the first is {first}, this is {this}", span)
@@ -72,14 +98,14 @@ def _value(text: str, start: int, parameter: Parameter) -> Refused | None:
             elif event.kind == events.SEQUENCE_END:
                 in_list = False
                 if list_type:
-                    parameter.give(Value(LISTS[list_type], tuple(values)))
+                    given.append(Value(LISTS[list_type], tuple(values)))
             else:
                 return Refused("the value can be no mapping and no alias", span)
     except YamlError as error:
         return Refused(error.message, Span(start + error.offset, start + error.offset))
     except YamlBeyond as beyond:
         return Refused(beyond.message, Span(start, start + len(text)))
-    return None
+    return tuple(given)
 
 
 def _no_name(lexemes: Lexemes) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from launchlint.late import late
 from launchlint.spelling import one_slip, same_digits
 
@@ -12,12 +14,15 @@ _DIRECTIONS = frozenset(
     frozenset(pair)
     for pair in (("from", "to"), ("rx", "tx"), ("receive", "send"), ("received", "sent"), ("recv", "send"), ("incoming", "outgoing"))
 )
+MOST_KEPT = 1 << 15
+"""Pairs of names whose relation is kept: the same ones meet in each configuration of a launch, and in each launch of a robot."""
 _SHORTEST_SLIP = 4
 _SHORTEST_WORD = 3
 _NO_DIGITS = dict.fromkeys(map(ord, "0123456789"))
 _SEPARATORS = late("[/_]")
 
 
+@lru_cache(maxsize=MOST_KEPT)
 def relation(left: str, right: str) -> str:
     """How two different full names are related.
 
