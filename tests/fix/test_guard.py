@@ -204,6 +204,13 @@ CHANGED: dict[str, tuple[str, str, str]] = {
         '<include file="$(find nowhere)/x.launch"/><include file="$(find nowhere)/y.launch"/><remap from="a" to="b"/>',
         "the unresolved item 'a' would change: includes from 1 to 0",
     ),
+    "a remap before two of three includes that are not here": (
+        '<include file="$(find nowhere)/x.launch"/><remap from="a" to="b"/>'
+        '<include file="$(find nowhere)/y.launch"/><include file="$(find nowhere)/z.launch"/>',
+        '<include file="$(find nowhere)/x.launch"/><include file="$(find nowhere)/y.launch"/>'
+        '<include file="$(find nowhere)/z.launch"/><remap from="a" to="b"/>',
+        "the unresolved item 'a' would change: includes from 2 to 0",
+    ),
     "a parameter below another with a short name": (
         '<param name="aaaa/b/c" value="1"/><param name="aaaa/b" value="1"/>',
         '<param name="aaaa/b" value="1"/><param name="aaaa/b/c" value="1"/>',
@@ -297,6 +304,16 @@ def test_who_else_includes_it_is_asked_for_what_it_sees_alone(caller: str, tmp_p
         assert Guard(session_in(tmp_path), lambda _: callers).refusal(file, before, late) == (
             f"there would be another parameter '/n/c' (with {caller})"
         )
+
+
+def test_a_remap_before_a_file_that_includes_two_that_are_not_here(tmp_path: Path) -> None:
+    part = '<include file="$(find nowhere)/x.launch"/><include file="$(find nowhere)/y.launch"/>'
+    before, after = '<remap from="a" to="b"/><include file="part.launch"/>', '<include file="part.launch"/><remap from="a" to="b"/>'
+    write(case(before, files={"part.launch": part}), tmp_path)
+    with inside(tmp_path):
+        guard = Guard(session_in(tmp_path))
+        found = guard.refusal(str(tmp_path / MAIN), content(MAIN, before), content(MAIN, after))
+    assert found == "the unresolved item 'a' would change: includes from 1 to 0"
 
 
 @pytest.mark.parametrize("other", ["a.launch", "z.launch"])
