@@ -11,6 +11,7 @@ from tests.evaluate.comparison import MAIN, case, content, inside, session_in, w
 
 SIM = '<arg name="sim" default="false"/>'
 BOT = '<arg name="bot"/>'
+ABSENT = '<include file="$(find nowhere)/x.launch"/>'
 
 SAME: dict[str, tuple[str, str]] = {
     "blanks and attribute order": ('[[n ns="a"]]', '\n  <node  ns="a" type="t" name="n"\n pkg="p"\t/>\n'),
@@ -205,10 +206,7 @@ CHANGED: dict[str, tuple[str, str, str]] = {
         "the unresolved item 'a' would change: includes from 1 to 0",
     ),
     "a remap before two of three includes that are not here": (
-        '<include file="$(find nowhere)/x.launch"/><remap from="a" to="b"/>'
-        '<include file="$(find nowhere)/y.launch"/><include file="$(find nowhere)/z.launch"/>',
-        '<include file="$(find nowhere)/x.launch"/><include file="$(find nowhere)/y.launch"/>'
-        '<include file="$(find nowhere)/z.launch"/><remap from="a" to="b"/>',
+        f'{ABSENT}<remap from="a" to="b"/>{ABSENT}{ABSENT}', f'{ABSENT}{ABSENT}{ABSENT}<remap from="a" to="b"/>',
         "the unresolved item 'a' would change: includes from 2 to 0",
     ),
     "a parameter below another with a short name": (
