@@ -183,10 +183,10 @@
   function shortName(name, namespace, most) {
     const inner = namespace.length > 1 && name.startsWith(`${namespace}/`) ? name.slice(namespace.length + 1) : name;
     if (inner.length <= most) return inner;
-    const pieces = inner.split("/");
-    let tail2 = pieces.pop() ?? "";
-    while (pieces.length > 1 && tail2.length + 1 + (pieces[pieces.length - 1] ?? "").length < most - 2) tail2 = `${pieces.pop()}/${tail2}`;
-    return pieces.length && tail2.length + 2 > most - SPARE ? cut(`…/${tail2}`, most) : cut(inner, most);
+    const pieces2 = inner.split("/");
+    let tail2 = pieces2.pop() ?? "";
+    while (pieces2.length > 1 && tail2.length + 1 + (pieces2[pieces2.length - 1] ?? "").length < most - 2) tail2 = `${pieces2.pop()}/${tail2}`;
+    return pieces2.length && tail2.length + 2 > most - SPARE ? cut(`…/${tail2}`, most) : cut(inner, most);
   }
   function cut(text2, most) {
     const characters = Array.from(text2);
@@ -444,11 +444,11 @@
     /** @type {const} */
     ["error", "warning", "info"]
   );
-  function badgeOf(view, findings, elsewhere = false) {
+  function badgeOf(view, findings, elsewhere2 = false) {
     var _a;
     const distinct = new Set(findings);
     for (const severity of SEVERITIES) {
-      for (const each of distinct) if (((_a = view.findings[each]) == null ? void 0 : _a.severity) === severity) return { severity, count: distinct.size, elsewhere };
+      for (const each of distinct) if (((_a = view.findings[each]) == null ? void 0 : _a.severity) === severity) return { severity, count: distinct.size, elsewhere: elsewhere2 };
     }
     return null;
   }
@@ -1196,8 +1196,230 @@ ${counted(about.nodes, "node")}`;
     return opened;
   }
 
+  // launchlint/report/html/js/drawing/areas.js
+  function overlap(a, b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+  }
+  function wider({ x, y, width, height }, by) {
+    return { x: x - by, y: y - by, width: width + 2 * by, height: height + 2 * by };
+  }
+  function between2(a, b) {
+    return { x: Math.min(a.x, b.x), y: Math.min(a.y, b.y), width: Math.abs(a.x - b.x), height: Math.abs(a.y - b.y) };
+  }
+  function pieces(points) {
+    return points.slice(1).map((point, at) => between2(
+      /** @type {Point} */
+      points[at],
+      point
+    ));
+  }
+  function hull(all) {
+    const [x, y] = [Math.min(...all.map((each) => each.x)), Math.min(...all.map((each) => each.y))];
+    return { x, y, width: Math.max(...all.map((each) => each.x + each.width)) - x, height: Math.max(...all.map((each) => each.y + each.height)) - y };
+  }
+
+  // launchlint/report/html/js/drawing/stretching.js
+  var GAP2 = 22;
+  var NEAR = 8;
+  var STEP2 = 12;
+  var [LINE, PIXEL] = [0.4, 0.01];
+  var MOST3 = 60;
+  function stretched(level, placed, box2, size) {
+    const was = (
+      /** @type {Area} */
+      placed.boxes.get(box2.id)
+    );
+    if (size.width <= was.width && size.height <= was.height) return { placed, cost: 0 };
+    const ways = [pushed, aside("x"), aside("y"), aside("either"), elsewhere].flatMap((way) => way(new Room(level, placed, box2, size)) ?? []);
+    return (
+      /** @type {Stretched} */
+      ways.sort((a, b) => a.cost - b.cost)[0]
+    );
+  }
+  function pushed(room) {
+    const { all, was, box: box2, grown: grown2 } = room;
+    const [right, bottom] = [was.x + was.width, was.y + was.height];
+    let count3 = 0;
+    const push2 = (point) => {
+      const [dx, dy] = [point.x >= right - 0.5 ? grown2.x : 0, point.y >= bottom - 0.5 ? grown2.y : 0];
+      point.x += dx;
+      point.y += dy;
+      return dx + dy > 0;
+    };
+    all.boxes.forEach((each, id) => {
+      if (id !== box2.id && push2(each)) count3 += 1;
+    });
+    all.ports.forEach(push2);
+    all.labels.forEach(push2);
+    for (const { points, junctions } of all.edges.values()) [...points, ...junctions].forEach(push2);
+    all.width += grown2.x;
+    all.height += grown2.y;
+    return { placed: all, cost: count3 + PIXEL * (grown2.x + grown2.y) };
+  }
+  function aside(axis) {
+    return (room) => {
+      const { was } = room;
+      let waiting = [{ id: room.box.id, before: room.before }];
+      for (let next = waiting.shift(); next; next = waiting.shift()) {
+        const now = room.taken(next.id);
+        for (const id of room.inTheWay(next.id, next.before)) {
+          const before = room.taken(id);
+          const level = axis === "x" || axis === "either" && before.x >= was.x + was.width;
+          const by = GAP2 + (level ? now.x + now.width - before.x : now.y + now.height - before.y);
+          if (room.moved.size >= MOST3 || id === room.box.id) return null;
+          room.move(id, level ? by : 0, level ? 0 : by);
+          waiting = [...waiting, { id, before }];
+        }
+      }
+      return room.done();
+    };
+  }
+  function elsewhere(room) {
+    const found2 = room.inTheWay(room.box.id, room.before);
+    if (found2.length > MOST3) return null;
+    for (const id of found2) {
+      const from = room.taken(id);
+      const taken = [...room.others(id).map((area) => wider(area, GAP2 - 1)), ...room.linesBeside(id).map((area) => wider(area, NEAR))];
+      const last = { x: Math.max(MARGIN2, room.all.width - MARGIN2 - from.width), y: room.all.height + GAP2 };
+      let [best, least] = [
+        /** @type {Point | null} */
+        null,
+        Infinity
+      ];
+      for (let y = room.top; y <= last.y; y += STEP2) {
+        for (let x = MARGIN2; x <= last.x; x += STEP2) {
+          const cost = Math.abs(x - from.x) + Math.abs(y - from.y);
+          const area = { ...from, x, y };
+          if (cost < least && !taken.some((each) => overlap(each, area))) [best, least] = [{ x, y }, cost];
+        }
+      }
+      if (!best) return null;
+      room.move(id, best.x - from.x, best.y - from.y);
+    }
+    return room.done();
+  }
+  var Room = class {
+    /** @param {Level} level @param {Placed} placed @param {Box} box @param {{ width: number, height: number }} size */
+    constructor(level, placed, box2, size) {
+      var _a, _b;
+      this.level = level;
+      this.box = box2;
+      this.all = copied(placed);
+      this.size = { width: placed.width, height: placed.height };
+      this.was = { .../** @type {Area} */
+      this.all.boxes.get(box2.id) };
+      this.grown = { x: Math.max(0, size.width - this.was.width), y: Math.max(0, size.height - this.was.height) };
+      this.top = Math.min(...Array.from(this.all.boxes.values(), (area2) => area2.y));
+      this.moved = /* @__PURE__ */ new Map();
+      this.ports = new Map(level.boxes.map((each) => [each.id, new Set(each.loose.map((port) => port.id))]));
+      for (const edge of level.edges) {
+        (_a = this.ports.get(edge.fromBox)) == null ? void 0 : _a.add(edge.fromPort);
+        (_b = this.ports.get(edge.toBox)) == null ? void 0 : _b.add(edge.toPort);
+      }
+      const own = [...this.ports.values()].flatMap((each) => [...each]);
+      this.fixed = Array.from(this.all.labels).flatMap(([id, area2]) => own.includes(id) ? [] : [area2]);
+      this.before = this.taken(box2.id);
+      const area = (
+        /** @type {Area} */
+        this.all.boxes.get(box2.id)
+      );
+      const right = area.x + area.width;
+      area.width += this.grown.x;
+      area.height += this.grown.y;
+      for (const id of this.ports.get(box2.id) ?? []) {
+        for (const each of [this.all.ports.get(id), this.all.labels.get(id)]) if (each && each.x >= right - 0.5) each.x += this.grown.x;
+      }
+    }
+    /** A box with the names at its ports. @param {string} id @returns {Area} */
+    taken(id) {
+      const names2 = [...this.ports.get(id) ?? []].flatMap((port) => this.all.labels.get(port) ?? []);
+      return hull([
+        /** @type {Area} */
+        this.all.boxes.get(id),
+        ...names2
+      ]);
+    }
+    /** What stands beside a box. @param {string} box @returns {Area[]} */
+    others(box2) {
+      return [...Array.from(this.all.boxes.keys()).flatMap((id) => id === box2 ? [] : this.taken(id)), ...this.fixed];
+    }
+    /** Boxes that a box reaches where it is now, and did not where it was. @param {string} box @param {Area} before @returns {string[]} */
+    inTheWay(box2, before) {
+      const [now, then] = [this.taken(box2), before].map((area) => wider(area, NEAR));
+      return [...this.all.boxes.keys()].filter((id) => id !== box2 && now && then && overlap(now, this.taken(id)) && !overlap(then, this.taken(id)));
+    }
+    /** Pieces of lines that end at other boxes. @param {string} box */
+    linesBeside(box2) {
+      return this.level.edges.filter((edge) => edge.fromBox !== box2 && edge.toBox !== box2).flatMap((edge) => {
+        var _a;
+        return pieces(((_a = this.all.edges.get(edge.id)) == null ? void 0 : _a.points) ?? []);
+      });
+    }
+    /** @param {string} id @param {number} dx @param {number} dy */
+    move(id, dx, dy) {
+      const ports = [...this.ports.get(id) ?? []];
+      for (const each of [this.all.boxes.get(id), ...ports.flatMap((port) => [this.all.ports.get(port), this.all.labels.get(port)])]) {
+        if (!each) continue;
+        each.x += dx;
+        each.y += dy;
+      }
+      const known6 = this.moved.get(id) ?? { x: 0, y: 0 };
+      this.moved.set(id, { x: known6.x + dx, y: known6.y + dy });
+    }
+    /** Lines go along with their boxes, or are left out. @returns {Stretched | null} null where something stands in the way still */
+    done() {
+      const { all } = this;
+      const changed = [this.box.id, ...this.moved.keys()];
+      if (changed.some((id) => this.others(id).some((area) => overlap(area, this.taken(id))))) return null;
+      let lost = 0;
+      for (const edge of this.level.edges) {
+        const line4 = all.edges.get(edge.id);
+        if (!line4) continue;
+        const near = this.moved.has(edge.fromBox) ? [...all.boxes.keys()] : changed;
+        if (this.follows(edge, line4.points, line4.junctions) && !near.some((id) => this.runsInto(edge, line4.points, id))) continue;
+        all.edges.delete(edge.id);
+        lost += 1;
+      }
+      all.width = Math.max(all.width, ...Array.from(all.boxes.keys(), (id) => this.taken(id)).map((area) => area.x + area.width + MARGIN2));
+      all.height = Math.max(all.height, ...Array.from(all.boxes.values(), (area) => area.y + area.height + MARGIN2));
+      return { placed: all, cost: this.moved.size + LINE * lost + PIXEL * (all.width - this.size.width + all.height - this.size.height) };
+    }
+    /** Whether a line runs through a box, or through a name at one where it does not end. @param {Edge} edge @param {Point[]} points @param {string} id */
+    runsInto(edge, points, id) {
+      const isOwn = edge.fromBox === id || edge.toBox === id;
+      const area = isOwn ? wider(
+        /** @type {Area} */
+        this.all.boxes.get(id),
+        -1
+      ) : wider(this.taken(id), 1);
+      return pieces(points).some((piece) => overlap(piece, area));
+    }
+    /** Whether a line still leads from one of its ends to the other one. @param {Edge} edge @param {Point[]} points @param {Point[]} junctions */
+    follows(edge, points, junctions) {
+      const still = { x: 0, y: 0 };
+      const [from, to] = [this.moved.get(edge.fromBox) ?? still, this.moved.get(edge.toBox) ?? still];
+      if (from.x !== to.x || from.y !== to.y) return false;
+      for (const point of [...points, ...junctions]) {
+        point.x += from.x;
+        point.y += from.y;
+      }
+      const [first, next] = points;
+      if (edge.fromBox !== this.box.id || !this.grown.x || !first || !next) return true;
+      first.x += this.grown.x;
+      return next.x > first.x + NEAR;
+    }
+  };
+  function copied({ width, height, boxes, ports, labels, edges }) {
+    const each = (map) => new Map(Array.from(map, ([id, value]) => [id, { ...value }]));
+    const lines = Array.from(edges, ([id, { points, junctions }]) => (
+      /** @type {const} */
+      [id, { points: points.map((point) => ({ ...point })), junctions: junctions.map((point) => ({ ...point })) }]
+    ));
+    return { width, height, boxes: each(boxes), ports: each(ports), labels: each(labels), edges: new Map(lines) };
+  }
+
   // launchlint/report/html/js/drawing/wayfinder.js
-  var STEP2 = 8;
+  var STEP3 = 8;
   var BESIDE = 5;
   var STRAIGHT = 9;
   var [TURN, CROSS, ALONG, NAME] = [24, 16, 400, 24];
@@ -1206,7 +1428,7 @@ ${counted(about.nodes, "node")}`;
     const start2 = { x: from.x + STRAIGHT, y: from.y };
     const end = { x: to.x - STRAIGHT, y: to.y };
     const [left, right] = [Math.min(BESIDE, start2.x, end.x), Math.max(room.width - BESIDE, start2.x, end.x)];
-    const [top, bottom] = [Math.min(room.top, start2.y, end.y), Math.max(room.height, start2.y, end.y) + 4 * STEP2];
+    const [top, bottom] = [Math.min(room.top, start2.y, end.y), Math.max(room.height, start2.y, end.y) + 4 * STEP3];
     const grid = new Grid(ticks(left, right, [start2.x, end.x, right]), ticks(top, bottom, [start2.y, end.y, bottom]));
     for (const box2 of boxes) grid.mark(grid.blocked, box2.x - BESIDE, box2.y - BESIDE, box2.x + box2.width + BESIDE, box2.y + box2.height + BESIDE);
     for (const name of names2) grid.mark(grid.named, name.x, name.y, name.x + name.width, name.y + name.height);
@@ -1218,7 +1440,7 @@ ${counted(about.nodes, "node")}`;
           line4.points[at]
         );
         const level = Math.abs(point.y - last.y) < 0.5;
-        const near = STEP2 / 2 + 1;
+        const near = STEP3 / 2 + 1;
         const [x1, x2, y1, y2] = [Math.min(point.x, last.x), Math.max(point.x, last.x), Math.min(point.y, last.y), Math.max(point.y, last.y)];
         grid.mark(level ? grid.level : grid.upright, level ? x1 : x1 - near, level ? y1 - near : y1, level ? x2 : x2 + near, level ? y2 + near : y2);
       });
@@ -1228,7 +1450,7 @@ ${counted(about.nodes, "node")}`;
   }
   function ticks(from, to, more) {
     const found2 = new Set(more);
-    for (let at = from; at <= to; at += STEP2) found2.add(at);
+    for (let at = from; at <= to; at += STEP3) found2.add(at);
     return [...found2].sort((a, b) => a - b);
   }
   function straightened(points) {
@@ -1399,32 +1621,46 @@ ${counted(about.nodes, "node")}`;
   // launchlint/report/html/js/drawing/growing.js
   var ROOM = 22;
   var AWAY = 64;
-  var STEP3 = 12;
+  var STEP4 = 12;
   var PITCH2 = 16;
-  var LARGER = 2;
-  async function grown(level, before, standing, fresh, turn, measure) {
-    var _a;
-    const all = /* @__PURE__ */ new Map();
+  var FORMS = [{ wide: 2, high: 2 }, { wide: 12, high: 2 }, { wide: 2, high: 12 }];
+  async function grown(level, before, ways) {
+    const [first] = await forms(level, before, ways);
+    return (first == null ? void 0 : first.all) ?? /* @__PURE__ */ new Map();
+  }
+  async function forms(level, before, ways) {
+    var _a, _b;
+    const own = ways.standing.get(before.group.id);
+    if (!own) return [];
+    const inner = /* @__PURE__ */ new Map();
     for (const box2 of level.boxes) {
       if (!box2.level) continue;
       const was = (_a = before.boxes.find((each) => each.id === box2.id)) == null ? void 0 : _a.level;
-      const inside = was ? await grown(box2.level, was, standing, fresh, turn, measure) : await fresh(box2.level);
-      inside.forEach((placed, id) => all.set(id, placed));
+      inner.set(box2.id, was ? await forms(box2.level, was, ways) : [{ all: await ways.fresh(box2.level), cost: 0 }]);
     }
-    const own = standing.get(before.group.id);
-    if (own) all.set(level.group.id, new Growth(level, before, own, all, measure).placed(turn));
-    return all;
+    const found2 = /* @__PURE__ */ new Map();
+    for (const form of FORMS) {
+      const growth = new Growth(level, before, own, inner, form, ways.measure);
+      const placed = growth.placed(ways.turn);
+      growth.inner.set(level.group.id, placed);
+      const size = `${placed.width} ${placed.height}`;
+      if (placed.width === own.width && placed.height === own.height) return [{ all: growth.inner, cost: growth.cost }];
+      if ((((_b = found2.get(size)) == null ? void 0 : _b.cost) ?? Infinity) > growth.cost) found2.set(size, { all: growth.inner, cost: growth.cost });
+    }
+    return [...found2.values()];
   }
   var Growth = class {
-    /** @param {Level} level @param {Level} before @param {Placed} own @param {Map<string, Placed>} inner @param {Measure} measure */
-    constructor(level, before, own, inner, measure) {
+    /** @param {Level} level @param {Level} before @param {Placed} own @param {Map<string, Grown[]>} inner of each open box @param {Form} form @param {Measure} measure */
+    constructor(level, before, own, inner, form, measure) {
       this.level = level;
-      this.inner = inner;
+      this.form = form;
       this.measure = measure;
+      this.cost = 0;
+      this.inner = /* @__PURE__ */ new Map();
       this.head = Math.min(own.height, ...Array.from(own.boxes.values(), (area) => area.y));
       this.all = { width: own.width, height: own.height, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
       this.keep(before, own);
-      for (const box2 of level.boxes) this.stretch(box2);
+      for (const [id, grown2] of inner) this.stretch(id, grown2);
     }
     /** What was there stays. @param {Level} before @param {Placed} own */
     keep(before, own) {
@@ -1451,41 +1687,19 @@ ${counted(about.nodes, "node")}`;
       if (port) this.all.ports.set(now, { ...port });
       if (label2) this.all.labels.set(now, { ...label2 });
     }
-    /** Makes room where an open container is larger than it was. @param {Box} box */
-    stretch(box2) {
-      const { all } = this;
-      const area = all.boxes.get(box2.id);
-      const size = box2.level ? this.inner.get(box2.id) : null;
-      if (!area || !size) return;
-      const [right, bottom] = [area.x + area.width, area.y + area.height];
-      const [dx, dy] = [Math.max(0, size.width - area.width), Math.max(0, size.height - area.height)];
-      area.width += dx;
-      area.height += dy;
-      if (!dx && !dy) return;
-      if (!dx && !this.isTaken(wider({ x: area.x, y: bottom, width: area.width, height: dy }, ROOM / 2), box2)) {
-        all.height = Math.max(all.height, area.y + area.height + MARGIN2);
-        return;
-      }
-      const push2 = (point) => {
-        if (point.x >= right - 0.5) point.x += dx;
-        if (point.y >= bottom - 0.5) point.y += dy;
-      };
-      all.boxes.forEach((each, id) => id !== box2.id && push2(each));
-      all.ports.forEach(push2);
-      all.labels.forEach(push2);
-      for (const { points, junctions } of all.edges.values()) [...points, ...junctions].forEach(push2);
-      all.width += dx;
-      all.height += dy;
-    }
-    /** Whether something else stands in an area. @param {Area} area @param {Box} box */
-    isTaken(area, box2) {
-      const { boxes, labels, edges } = this.all;
-      const lines = Array.from(edges.values(), ({ points }) => points.slice(1).map((point, at) => between2(
-        /** @type {Point} */
-        points[at],
-        point
-      ))).flat();
-      return Array.from(boxes).some(([id, other]) => id !== box2.id && overlap(other, area)) || [...labels.values(), ...lines].some((other) => overlap(wider(other, 1), area));
+    /** Makes room for an open container in the form for which the fewest others move. @param {string} id @param {Grown[]} grown */
+    stretch(id, grown2) {
+      const box2 = this.level.boxes.find((each) => each.id === id);
+      const tried = grown2.map((each) => {
+        const size = each.all.get(id);
+        const room = box2 && size && this.all.boxes.has(id) ? stretched(this.level, this.all, box2, size) : { placed: this.all, cost: 0 };
+        return { inside: each.all, placed: room.placed, cost: each.cost + room.cost };
+      });
+      const best = tried.sort((a, b) => a.cost - b.cost)[0];
+      if (!best) return;
+      this.all = best.placed;
+      this.cost += best.cost;
+      best.inside.forEach((placed, each) => this.inner.set(each, placed));
     }
     /** @param {(box: Box) => number} turn @returns {Placed} */
     placed(turn) {
@@ -1583,23 +1797,19 @@ ${counted(about.nodes, "node")}`;
      * @returns {Point}
      */
     placeFor({ width, height }, leaving, entering) {
-      const { all } = this;
+      const { all, form } = this;
       const givers = entering.flatMap((edge) => all.boxes.get(edge.fromBox) ?? []);
       const takers = leaving.flatMap((edge) => all.boxes.get(edge.toBox) ?? []);
       const [giver, taker] = [givers[0], takers[0]];
       const wanted = giver ? { x: giver.x + giver.width + AWAY, y: giver.y } : taker ? { x: taker.x - AWAY - width, y: taker.y } : { x: MARGIN2, y: all.height };
-      const lines = Array.from(all.edges.values(), ({ points }) => points.slice(1).map((point, at) => between2(
-        /** @type {Point} */
-        points[at],
-        point
-      ))).flat();
+      const lines = Array.from(all.edges.values(), ({ points }) => pieces(points)).flat();
       const taken = [...Array.from(all.boxes.values(), (area) => wider(area, ROOM)), ...Array.from(all.labels.values(), (area) => wider(area, 8)), ...lines.map((area) => wider(area, 10))];
       let [best, least] = [{ x: MARGIN2, y: all.height }, Infinity];
       const last = { x: Math.max(MARGIN2, all.width - MARGIN2 - width), y: all.height + ROOM };
-      for (let y = this.head; y <= last.y; y += STEP3) {
-        for (let x = MARGIN2; x <= last.x + STEP3; x += STEP3) {
+      for (let y = this.head; y <= last.y; y += STEP4) {
+        for (let x = MARGIN2; x <= last.x + STEP4; x += STEP4) {
           const at = { x: Math.min(x, last.x), y };
-          const cost = Math.abs(at.x - wanted.x) + Math.abs(y - wanted.y) + LARGER * (Math.max(0, at.x + width + MARGIN2 - all.width) + Math.max(0, y + height + MARGIN2 - all.height));
+          const cost = Math.abs(at.x - wanted.x) + Math.abs(y - wanted.y) + form.wide * Math.max(0, at.x + width + MARGIN2 - all.width) + form.high * Math.max(0, y + height + MARGIN2 - all.height);
           if (cost < least && !taken.some((area) => overlap(area, { ...at, width, height }))) [best, least] = [at, cost];
         }
       }
@@ -1647,15 +1857,6 @@ ${counted(about.nodes, "node")}`;
       }
     }
   };
-  function overlap(a, b) {
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-  }
-  function wider({ x, y, width, height }, by) {
-    return { x: x - by, y: y - by, width: width + 2 * by, height: height + 2 * by };
-  }
-  function between2(a, b) {
-    return { x: Math.min(a.x, b.x), y: Math.min(a.y, b.y), width: Math.abs(a.x - b.x), height: Math.abs(a.y - b.y) };
-  }
 
   // launchlint/report/html/js/drawing/late.js
   function hasLate(entry) {
@@ -2314,13 +2515,13 @@ ${counted(about.nodes, "node")}`;
   }
   function globbed(pattern) {
     if (!pattern.includes("*")) return (text2) => text2.toLowerCase().includes(pattern);
-    const pieces = pattern.split("*");
-    const [first = "", last = ""] = [pieces[0], pieces[pieces.length - 1]];
+    const pieces2 = pattern.split("*");
+    const [first = "", last = ""] = [pieces2[0], pieces2[pieces2.length - 1]];
     return (text2) => {
       const whole = text2.toLowerCase();
       if (!whole.startsWith(first) || !whole.endsWith(last) || whole.length < first.length + last.length) return false;
       let at = first.length;
-      for (const piece of pieces.slice(1, -1)) {
+      for (const piece of pieces2.slice(1, -1)) {
         const found2 = whole.indexOf(piece, at);
         if (found2 < 0) return false;
         at = found2 + piece.length;
@@ -2599,7 +2800,7 @@ ${counted(about.nodes, "node")}`;
   var FOOT = 36;
   var LEGIBLE = 9.02 / 12;
   var STILL = 4;
-  var STEP4 = 60;
+  var STEP5 = 60;
   var READABLE = 0.5;
   function fitting(size, extent) {
     return Math.min((extent.width - 2 * MARGIN4) / Math.max(1, size.width), (extent.height - 2 * MARGIN4 - FOOT) / Math.max(1, size.height));
@@ -2754,10 +2955,10 @@ ${counted(about.nodes, "node")}`;
     key(event) {
       if (event.altKey || event.ctrlKey || event.metaKey || event.target !== this.svg) return;
       const keys = {
-        ArrowLeft: () => this.pan(STEP4, 0),
-        ArrowRight: () => this.pan(-STEP4, 0),
-        ArrowUp: () => this.pan(0, STEP4),
-        ArrowDown: () => this.pan(0, -STEP4),
+        ArrowLeft: () => this.pan(STEP5, 0),
+        ArrowRight: () => this.pan(-STEP5, 0),
+        ArrowUp: () => this.pan(0, STEP5),
+        ArrowDown: () => this.pan(0, -STEP5),
         "+": () => this.zoom(1.25),
         "=": () => this.zoom(1.25),
         "-": () => this.zoom(0.8),
@@ -2912,7 +3113,7 @@ ${counted(about.nodes, "node")}`;
   // launchlint/report/html/js/drawing/scene.js
   var TRIALS2 = 4;
   var WIDEST = 2.4;
-  var LINE = 14e3;
+  var LINE2 = 14e3;
   var Director = class {
     /** @param {ReportData} data @param {Engine} engine @param {Measure} measure */
     constructor(data, engine, measure) {
@@ -3047,7 +3248,8 @@ ${counted(about.nodes, "node")}`;
       const former2 = this.before(view);
       if (!former2) return fresh(whole);
       const before = levelsOf(former2, open, this.measure);
-      return grown(whole, before, await fresh(before), fresh, (box2) => turnOf(view.entry, box2.id), this.measure);
+      const turn = (box2) => turnOf(view.entry, box2.id);
+      return grown(whole, before, { standing: await fresh(before), fresh, turn, measure: this.measure });
     }
     /**
      * @param {View} view that is laid out
@@ -3063,7 +3265,7 @@ ${counted(about.nodes, "node")}`;
     }
   };
   function roomOf({ boxes, edges }) {
-    return edges.length * LINE + boxes.reduce((sum, { level, width, height }) => sum + (level ? roomOf(level) : width * height), 0);
+    return edges.length * LINE2 + boxes.reduce((sum, { level, width, height }) => sum + (level ? roomOf(level) : width * height), 0);
   }
   function roomIn({ width, height }) {
     return width * height / LEGIBLE ** 2;
@@ -3094,7 +3296,7 @@ ${counted(about.nodes, "node")}`;
   }
 
   // launchlint/report/html/js/drawing/told.js
-  var MOST3 = 6;
+  var MOST4 = 6;
   var LONGEST3 = 34;
   var HEIGHT = 14;
   function toldNames(scene, selection, chosen) {
@@ -3111,8 +3313,8 @@ ${counted(about.nodes, "node")}`;
     return found2;
   }
   function names(at, out, wires, namespace, kind) {
-    const said2 = wires.slice(0, MOST3).map((wire) => shortName(wire.name, namespace, LONGEST3));
-    if (wires.length > MOST3) said2.push(`and ${wires.length - MOST3} more`);
+    const said2 = wires.slice(0, MOST4).map((wire) => shortName(wire.name, namespace, LONGEST3));
+    if (wires.length > MOST4) said2.push(`and ${wires.length - MOST4} more`);
     const top = at.y + 4 - (said2.length - 1) * HEIGHT / 2;
     const drawn = element("g", { class: `told ${kind}` });
     said2.forEach((line4, index) => drawn.append(text(line4, { x: out ? at.x + 9 : at.x - 9, y: top + index * HEIGHT, "text-anchor": out ? "start" : "end" })));
@@ -4043,7 +4245,7 @@ ${counted(about.nodes, "node")}`;
       host2.hidden = rows2.length === 0 && entry.configurations.length < 2;
       menu2.hidden = rows2.length === 0 && !entry.command;
       const command = element2("pre", { class: "command", tabindex: 0, role: "group", "aria-label": "Command" });
-      const copy = button("Copy", () => void copied(command.textContent ?? "", copy), { class: "copy" });
+      const copy = button("Copy", () => void copied2(command.textContent ?? "", copy), { class: "copy" });
       const note = element2("p", { class: "note" });
       fill(content, element2("p", { class: "note" }, "What starts it so:"), command, copy, note, ...rows2);
     }
@@ -4078,7 +4280,7 @@ ${counted(about.nodes, "node")}`;
     const doubt = guess ? " It has more args that act on each other than were combined: of several at once, it is shown what each of them does." : "";
     return `${number(nodes, "node")} with these args.${doubt}`;
   }
-  async function copied(text2, told2) {
+  async function copied2(text2, told2) {
     try {
       await navigator.clipboard.writeText(text2);
       told2.textContent = "Copied";
@@ -4734,7 +4936,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/search_index.js
-  var MOST4 = 50;
+  var MOST5 = 50;
   var FAR = 10;
   var SHORT_WORD = 3;
   var LONG_WORD = 5;
@@ -4757,10 +4959,10 @@ ${end.mark}`;
         var _a;
         return ((_a = each.target) == null ? void 0 : _a.id) ?? [];
       }));
-      const others = here.length >= MOST4 ? [] : model.data.entries.flatMap((_, at) => at === entry ? [] : fitting2(all(at), words2));
-      const elsewhere = others.filter((each) => !here.some((known7) => known7.kind === each.kind && known7.label === each.label));
-      const hits = [...here, ...elsewhere];
-      return { hits: hits.slice(0, MOST4), total: hits.length, ids };
+      const others = here.length >= MOST5 ? [] : model.data.entries.flatMap((_, at) => at === entry ? [] : fitting2(all(at), words2));
+      const elsewhere2 = others.filter((each) => !here.some((known7) => known7.kind === each.kind && known7.label === each.label));
+      const hits = [...here, ...elsewhere2];
+      return { hits: hits.slice(0, MOST5), total: hits.length, ids };
     };
   }
   function fitting2(hits, words2) {
@@ -4949,13 +5151,13 @@ ${end.mark}`;
     return { host: host2, focus: () => (field.focus(), field.select()) };
   }
   function optionOf({ model, store }, hit, at) {
-    const elsewhere = hit.entry !== store.get().entry && hit.target !== null;
+    const elsewhere2 = hit.entry !== store.get().entry && hit.target !== null;
     return element2(
       "li",
       { id: `search-result-${at}`, role: "option", "aria-selected": "false" },
       element2("span", { class: "result-kind" }, hit.kind),
       element2("span", { class: "result-label" }, hit.label),
-      element2("span", { class: "result-detail" }, elsewhere ? `in ${model.data.files[model.entry(hit.entry).entry.file]}` : hit.detail)
+      element2("span", { class: "result-detail" }, elsewhere2 ? `in ${model.data.files[model.entry(hit.entry).entry.file]}` : hit.detail)
     );
   }
 
@@ -5089,8 +5291,8 @@ ${end.mark}`;
     for (const each of all) {
       const { x, y } = middle(each);
       const along = (x - start2.x) * dx + (y - start2.y) * dy;
-      const aside = Math.abs((x - start2.x) * dy) + Math.abs((y - start2.y) * dx);
-      const cost = along + ASIDE * aside;
+      const aside2 = Math.abs((x - start2.x) * dy) + Math.abs((y - start2.y) * dx);
+      const cost = along + ASIDE * aside2;
       if (each !== from && along > 1 && cost < least) {
         least = cost;
         best = each;
@@ -5286,7 +5488,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/why.js
-  var MOST5 = 3;
+  var MOST6 = 3;
   var LIKE = 0.45;
   var gives = (model, each) => {
     var _a;
@@ -5325,7 +5527,7 @@ ${end.mark}`;
       })
     );
     found2.sort((one2, other) => other.score - one2.score);
-    return found2.slice(0, MOST5).map(({ giver, taker }) => ({ giver, taker, ...verdict(model, giver, taker, written2) }));
+    return found2.slice(0, MOST6).map(({ giver, taker }) => ({ giver, taker, ...verdict(model, giver, taker, written2) }));
   }
   function ends(model, node, configuration) {
     return (model.ofNode[node] ?? []).filter((each) => {
@@ -6907,7 +7109,7 @@ ${end.mark}`;
     const told2 = element2("span", { class: "visually-hidden", role: "status" });
     const host2 = button("Copy link", copy, { class: "share", title: "Copy a link to exactly this view" });
     async function copy() {
-      const done = await copied2(linkTo(page));
+      const done = await copied3(linkTo(page));
       host2.textContent = done ? "Copied" : "Not copied";
       told2.textContent = done ? "The link is copied." : "The browser does not let the page copy: the address of the page is the link.";
       window.setTimeout(() => {
@@ -6922,7 +7124,7 @@ ${end.mark}`;
     const exact = addressOf(model, { ...state, expanded: drawing.expanded(), place: drawing.spot() });
     return `${location.href.replace(/#.*$/s, "")}#${exact}`;
   }
-  async function copied2(text2) {
+  async function copied3(text2) {
     try {
       await navigator.clipboard.writeText(text2);
       return true;
@@ -6946,8 +7148,8 @@ ${end.mark}`;
     ]
   );
   var LEAST = 160;
-  var MOST6 = 720;
-  var STEP5 = 20;
+  var MOST7 = 720;
+  var STEP6 = 20;
   function createSidePanels() {
     const sheet = new CSSStyleSheet();
     document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
@@ -6963,11 +7165,11 @@ ${end.mark}`;
         "aria-orientation": "vertical",
         "aria-label": `Width of the ${name.toLowerCase()}`,
         "aria-valuemin": LEAST,
-        "aria-valuemax": MOST6
+        "aria-valuemax": MOST7
       });
       part("stage").append(bar);
       function become(next) {
-        form = { ...next, width: Math.max(LEAST, Math.min(MOST6, Math.round(next.width))) };
+        form = { ...next, width: Math.max(LEAST, Math.min(MOST7, Math.round(next.width))) };
         widths.set(id, form.width);
         sheet.replaceSync(`body { ${Array.from(widths, ([side, width]) => `--${side}-width: ${width}px;`).join(" ")} }`);
         document.body.toggleAttribute(`data-${id}-folded`, form.folded);
@@ -6985,7 +7187,7 @@ ${end.mark}`;
         bar.addEventListener("lostpointercapture", () => bar.removeEventListener("pointermove", follow2), { once: true });
       });
       bar.addEventListener("keydown", (event) => {
-        const steps = { ArrowRight: STEP5, ArrowLeft: -STEP5 }[event.key];
+        const steps = { ArrowRight: STEP6, ArrowLeft: -STEP6 }[event.key];
         if (steps === void 0) return;
         event.preventDefault();
         become({ ...form, width: form.width + steps * grows });

@@ -1,8 +1,10 @@
 // Puts what is new into a drawing that stands: nothing that was there moves, but what a larger container pushes away. New boxes come where
 // there is room beside those that they share a line with, new lines find a way around all boxes.
 
+import { overlap, pieces, wider } from "./areas.js";
 import { PADDING } from "./boxes.js";
 import { BADGE, LABEL_HEIGHT, MARGIN } from "./engine.js";
+import { stretched } from "./stretching.js";
 import { wayBetween } from "./wayfinder.js";
 
 /** @typedef {import("./boxes").Measure} Measure */
@@ -21,43 +23,74 @@ const AWAY = 64;
 const STEP = 12;
 /** Between two ports of a side. */
 const PITCH = 16;
-/** What a pixel costs by which the drawing gets larger: in pixels away from where a box belongs. */
-const LARGER = 2;
+/** What a pixel costs by which a container gets wider and higher, in pixels away from where a box belongs: as it should, rather high, rather wide. */
+const FORMS = [{ wide: 2, high: 2 }, { wide: 12, high: 2 }, { wide: 2, high: 12 }];
+
+/** @typedef {(typeof FORMS)[number]} Form */
+/** @typedef {{ all: Map<string, Placed>, cost: number }} Grown Containers by their ids, and what it costs that boxes moved. */
+/**
+ * @typedef {object} Ways
+ * @property {Map<string, Placed>} standing where everything was, by the id of the container
+ * @property {(level: Level) => Promise<Map<string, Placed>>} fresh lays out a container that is new
+ * @property {(box: Box) => number} turn later ones are put after earlier ones
+ * @property {Measure} measure
+ */
 
 /**
  * @param {Level} level with what is new
  * @param {Level} before without it
- * @param {Map<string, Placed>} standing where everything was, by the id of the container
- * @param {(level: Level) => Promise<Map<string, Placed>>} fresh lays out a container that is new
- * @param {(box: Box) => number} turn later ones are put after earlier ones
- * @param {Measure} measure
+ * @param {Ways} ways
  * @returns {Promise<Map<string, Placed>>}
  */
-export async function grown(level, before, standing, fresh, turn, measure) {
-  /** @type {Map<string, Placed>} */
-  const all = new Map();
+export async function grown(level, before, ways) {
+  const [first] = await forms(level, before, ways);
+  return first?.all ?? new Map();
+}
+
+/**
+ * A container, and what is in it, in several forms where it had to grow: what is around it takes the one for which the fewest others move.
+ * @param {Level} level
+ * @param {Level} before
+ * @param {Ways} ways
+ * @returns {Promise<Grown[]>}
+ */
+async function forms(level, before, ways) {
+  const own = ways.standing.get(before.group.id);
+  if (!own) return [];
+  /** @type {Map<string, Grown[]>} */
+  const inner = new Map();
   for (const box of level.boxes) {
     if (!box.level) continue;
     const was = before.boxes.find((each) => each.id === box.id)?.level;
-    const inside = was ? await grown(box.level, was, standing, fresh, turn, measure) : await fresh(box.level);
-    inside.forEach((placed, id) => all.set(id, placed));
+    inner.set(box.id, was ? await forms(box.level, was, ways) : [{ all: await ways.fresh(box.level), cost: 0 }]);
   }
-  const own = standing.get(before.group.id);
-  if (own) all.set(level.group.id, new Growth(level, before, own, all, measure).placed(turn));
-  return all;
+  /** @type {Map<string, Grown>} */
+  const found = new Map();
+  for (const form of FORMS) {
+    const growth = new Growth(level, before, own, inner, form, ways.measure);
+    const placed = growth.placed(ways.turn);
+    growth.inner.set(level.group.id, placed);
+    const size = `${placed.width} ${placed.height}`;
+    if (placed.width === own.width && placed.height === own.height) return [{ all: growth.inner, cost: growth.cost }];
+    if ((found.get(size)?.cost ?? Infinity) > growth.cost) found.set(size, { all: growth.inner, cost: growth.cost });
+  }
+  return [...found.values()];
 }
 
 class Growth {
-  /** @param {Level} level @param {Level} before @param {Placed} own @param {Map<string, Placed>} inner @param {Measure} measure */
-  constructor(level, before, own, inner, measure) {
+  /** @param {Level} level @param {Level} before @param {Placed} own @param {Map<string, Grown[]>} inner of each open box @param {Form} form @param {Measure} measure */
+  constructor(level, before, own, inner, form, measure) {
     this.level = level;
-    this.inner = inner;
+    this.form = form;
     this.measure = measure;
+    this.cost = 0;
+    /** @type {Map<string, Placed>} the containers in it */
+    this.inner = new Map();
     this.head = Math.min(own.height, ...Array.from(own.boxes.values(), (area) => area.y));
     /** @type {Placed} */
     this.all = { width: own.width, height: own.height, boxes: new Map(), ports: new Map(), labels: new Map(), edges: new Map() };
     this.keep(before, own);
-    for (const box of level.boxes) this.stretch(box);
+    for (const [id, grown] of inner) this.stretch(id, grown);
   }
 
   /** What was there stays. @param {Level} before @param {Placed} own */
@@ -87,39 +120,19 @@ class Growth {
     if (label) this.all.labels.set(now, { ...label });
   }
 
-  /** Makes room where an open container is larger than it was. @param {Box} box */
-  stretch(box) {
-    const { all } = this;
-    const area = all.boxes.get(box.id);
-    const size = box.level ? this.inner.get(box.id) : null;
-    if (!area || !size) return;
-    const [right, bottom] = [area.x + area.width, area.y + area.height];
-    const [dx, dy] = [Math.max(0, size.width - area.width), Math.max(0, size.height - area.height)];
-    area.width += dx;
-    area.height += dy;
-    if (!dx && !dy) return;
-    if (!dx && !this.isTaken(wider({ x: area.x, y: bottom, width: area.width, height: dy }, ROOM / 2), box)) {
-      all.height = Math.max(all.height, area.y + area.height + MARGIN);
-      return;
-    }
-    /** @param {Point} point */
-    const push = (point) => {
-      if (point.x >= right - 0.5) point.x += dx;
-      if (point.y >= bottom - 0.5) point.y += dy;
-    };
-    all.boxes.forEach((each, id) => id !== box.id && push(each));
-    all.ports.forEach(push);
-    all.labels.forEach(push);
-    for (const { points, junctions } of all.edges.values()) [...points, ...junctions].forEach(push);
-    all.width += dx;
-    all.height += dy;
-  }
-
-  /** Whether something else stands in an area. @param {Area} area @param {Box} box */
-  isTaken(area, box) {
-    const { boxes, labels, edges } = this.all;
-    const lines = Array.from(edges.values(), ({ points }) => points.slice(1).map((point, at) => between(/** @type {Point} */ (points[at]), point))).flat();
-    return Array.from(boxes).some(([id, other]) => id !== box.id && overlap(other, area)) || [...labels.values(), ...lines].some((other) => overlap(wider(other, 1), area));
+  /** Makes room for an open container in the form for which the fewest others move. @param {string} id @param {Grown[]} grown */
+  stretch(id, grown) {
+    const box = this.level.boxes.find((each) => each.id === id);
+    const tried = grown.map((each) => {
+      const size = each.all.get(id);
+      const room = box && size && this.all.boxes.has(id) ? stretched(this.level, this.all, box, size) : { placed: this.all, cost: 0 };
+      return { inside: each.all, placed: room.placed, cost: each.cost + room.cost };
+    });
+    const best = tried.sort((a, b) => a.cost - b.cost)[0];
+    if (!best) return;
+    this.all = best.placed;
+    this.cost += best.cost;
+    best.inside.forEach((placed, each) => this.inner.set(each, placed));
   }
 
   /** @param {(box: Box) => number} turn @returns {Placed} */
@@ -216,19 +229,19 @@ class Growth {
    * @returns {Point}
    */
   placeFor({ width, height }, leaving, entering) {
-    const { all } = this;
+    const { all, form } = this;
     const givers = entering.flatMap((edge) => all.boxes.get(edge.fromBox) ?? []);
     const takers = leaving.flatMap((edge) => all.boxes.get(edge.toBox) ?? []);
     const [giver, taker] = [givers[0], takers[0]];
     const wanted = giver ? { x: giver.x + giver.width + AWAY, y: giver.y } : taker ? { x: taker.x - AWAY - width, y: taker.y } : { x: MARGIN, y: all.height };
-    const lines = Array.from(all.edges.values(), ({ points }) => points.slice(1).map((point, at) => between(/** @type {Point} */ (points[at]), point))).flat();
+    const lines = Array.from(all.edges.values(), ({ points }) => pieces(points)).flat();
     const taken = [...Array.from(all.boxes.values(), (area) => wider(area, ROOM)), ...Array.from(all.labels.values(), (area) => wider(area, 8)), ...lines.map((area) => wider(area, 10))];
     let [best, least] = [{ x: MARGIN, y: all.height }, Infinity];
     const last = { x: Math.max(MARGIN, all.width - MARGIN - width), y: all.height + ROOM };
     for (let y = this.head; y <= last.y; y += STEP) {
       for (let x = MARGIN; x <= last.x + STEP; x += STEP) {
         const at = { x: Math.min(x, last.x), y };
-        const cost = Math.abs(at.x - wanted.x) + Math.abs(y - wanted.y) + LARGER * (Math.max(0, at.x + width + MARGIN - all.width) + Math.max(0, y + height + MARGIN - all.height));
+        const cost = Math.abs(at.x - wanted.x) + Math.abs(y - wanted.y) + form.wide * Math.max(0, at.x + width + MARGIN - all.width) + form.high * Math.max(0, y + height + MARGIN - all.height);
         if (cost < least && !taken.some((area) => overlap(area, { ...at, width, height }))) [best, least] = [at, cost];
       }
     }
@@ -277,19 +290,4 @@ class Growth {
       for (const edge of level.edges) for (const point of edge.to === id ? (all.edges.get(edge.id)?.points ?? []) : []) if (Math.abs(point.x - was) < 0.5) point.x = all.width;
     }
   }
-}
-
-/** @param {Area} a @param {Area} b */
-function overlap(a, b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
-/** @param {Area} area @param {number} by @returns {Area} */
-function wider({ x, y, width, height }, by) {
-  return { x: x - by, y: y - by, width: width + 2 * by, height: height + 2 * by };
-}
-
-/** @param {Point} a @param {Point} b @returns {Area} */
-function between(a, b) {
-  return { x: Math.min(a.x, b.x), y: Math.min(a.y, b.y), width: Math.abs(a.x - b.x), height: Math.abs(a.y - b.y) };
 }

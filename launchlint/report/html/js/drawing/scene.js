@@ -16,6 +16,7 @@ import { Drawn } from "./walk.js";
 /** @typedef {import("./types").ViewState} ViewState */
 /** @typedef {import("./boxes").Measure} Measure */
 /** @typedef {import("./engine").Engine} Engine */
+/** @typedef {import("./model").Box} Box */
 /** @typedef {import("./model").Level} Level */
 /** @typedef {import("./model").Placed} Placed */
 /** @typedef {import("./model").Sheet} Sheet */
@@ -165,7 +166,8 @@ export class Director {
     const former = this.before(view);
     if (!former) return fresh(whole);
     const before = levelsOf(former, open, this.measure);
-    return grown(whole, before, await fresh(before), fresh, (box) => turnOf(view.entry, box.id), this.measure);
+    const turn = (/** @type {Box} */ box) => turnOf(view.entry, box.id);
+    return grown(whole, before, { standing: await fresh(before), fresh, turn, measure: this.measure });
   }
 
   /**
