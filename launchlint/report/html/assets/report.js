@@ -1841,8 +1841,9 @@ ${counted(about.nodes, "node")}`;
       all.edges.set(edge.id, { points, junctions: [] });
       const name = edge.fromBox ? this.nameOf(edge.label) : null;
       if (!name || all.labels.has(edge.fromPort)) return;
-      const area = { x: from.x, y: from.y - name.height, width: name.width, height: name.height };
-      if (![...all.boxes.values()].some((box2) => overlap(box2, area))) all.labels.set(edge.fromPort, area);
+      const taken = [...all.boxes.values(), ...all.labels.values()];
+      const free = [from.y - name.height, from.y].map((y) => ({ ...name, x: from.x, y })).find((area) => !taken.some((each) => overlap(each, area)));
+      if (free) all.labels.set(edge.fromPort, free);
     }
     /** Leads what leaves through the border on to where it is now. */
     close() {
@@ -1991,6 +1992,16 @@ ${counted(about.nodes, "node")}`;
       if (words2) found2.set(words2, [...found2.get(words2) ?? [], wire]);
     }
     return Array.from(found2, ([words2, [first, ...others]]) => `${others.length || !first ? others.length + 1 : shortName(first.name, namespace, BROAD2)}: ${words2}`);
+  }
+  function nameOnce({ group: group3, boxes, edges }) {
+    for (const { id, level } of boxes) {
+      for (const port of (level == null ? void 0 : level.ports) ?? []) {
+        const own = edges.filter((edge) => edge.fromBox === id && edge.from === port.id && edge.label.length);
+        if (new Set(own.map((edge) => edge.fromPort)).size < 2) continue;
+        const wires = [...new Set(own.flatMap((edge) => edge.wires))];
+        for (const [at, edge] of own.entries()) edge.label = at || wires.length === port.wires.length ? [] : labelOf(wires, group3.namespace);
+      }
+    }
   }
   var Ports = class {
     /** @param {Level} level */
@@ -2210,6 +2221,7 @@ ${counted(about.nodes, "node")}`;
       pills.connect();
       own.edges = lines.edges();
       joinLines(own.edges);
+      nameOnce(own);
       return own;
     }
     /**

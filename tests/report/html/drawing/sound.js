@@ -1,9 +1,12 @@
-// What is true of every drawing: boxes do not overlap and stand in their container, no line and no name goes through a box.
+// What is true of every drawing: boxes do not overlap and stand in their container, no line and no name goes through a box, no two names lie over each other.
 
 import assert from "node:assert/strict";
 
 const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 const inside = (a, b) => a.x >= b.x && a.y >= b.y && a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;
+
+/** What a name takes of the room that is kept for it. */
+const narrow = ({ x, y, width, height }) => ({ x: x + 3, y: y + 2, width: width - 8, height: height - 4 });
 
 /** Whether a piece of a line, which is level or upright, goes through a box: touching its border is no matter. */
 function crosses(from, to, box) {
@@ -39,5 +42,6 @@ export function assertSound(scene) {
     }
     const labels = sheet.labels.filter((each) => level.edges.includes(each.edge));
     for (const label of labels) assert.deepEqual(own.filter((box) => overlap(label, box)).map((box) => box.box.id), [], `the name of ${label.edge.id}`);
+    labels.forEach((one, at) => labels.slice(at + 1).forEach((other) => assert.ok(!overlap(narrow(one), narrow(other)), `the names of ${one.edge.id} and ${other.edge.id}`)));
   }
 }

@@ -101,6 +101,21 @@ function clashesOf(wires, namespace) {
   return Array.from(found, ([words, [first, ...others]]) => `${others.length || !first ? others.length + 1 : shortName(first.name, namespace, BROAD)}: ${words}`);
 }
 
+/**
+ * Lines that leave an open container at one place say once what they carry, and not at all where all of it is named inside.
+ * @param {Level} level
+ */
+export function nameOnce({ group, boxes, edges }) {
+  for (const { id, level } of boxes) {
+    for (const port of level?.ports ?? []) {
+      const own = edges.filter((edge) => edge.fromBox === id && edge.from === port.id && edge.label.length);
+      if (new Set(own.map((edge) => edge.fromPort)).size < 2) continue;
+      const wires = [...new Set(own.flatMap((edge) => edge.wires))];
+      for (const [at, edge] of own.entries()) edge.label = at || wires.length === port.wires.length ? [] : labelOf(wires, group.namespace);
+    }
+  }
+}
+
 /** The ports of a level's border: wires that come from the same tips leave together. */
 export class Ports {
   /** @param {Level} level */

@@ -275,8 +275,9 @@ class Growth {
     all.edges.set(edge.id, { points, junctions: [] });
     const name = edge.fromBox ? this.nameOf(edge.label) : null;
     if (!name || all.labels.has(edge.fromPort)) return;
-    const area = { x: from.x, y: from.y - name.height, width: name.width, height: name.height };
-    if (![...all.boxes.values()].some((box) => overlap(box, area))) all.labels.set(edge.fromPort, area);
+    const taken = [...all.boxes.values(), ...all.labels.values()];
+    const free = [from.y - name.height, from.y].map((y) => ({ ...name, x: from.x, y })).find((area) => !taken.some((each) => overlap(each, area)));
+    if (free) all.labels.set(edge.fromPort, free);
   }
 
   /** Leads what leaves through the border on to where it is now. */

@@ -2,7 +2,7 @@
 // What is inside depends on the wires and on what is open inside, never on what is open elsewhere: so places stay where they are.
 
 import { foldedBox, nodeBox, openBox } from "./boxes.js";
-import { Lines, Pills, Ports } from "./bundles.js";
+import { Lines, Pills, Ports, nameOnce } from "./bundles.js";
 import { joinLines } from "./joints.js";
 
 /** @typedef {import("./types").Group} Group */
@@ -150,6 +150,7 @@ class Builder {
     pills.connect();
     own.edges = lines.edges();
     joinLines(own.edges);
+    nameOnce(own);
     return own;
   }
 
