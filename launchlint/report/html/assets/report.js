@@ -220,7 +220,8 @@
   // launchlint/report/html/js/drawing/tree.js
   var DEEPEST = 32;
   var MOST = 40;
-  var RANGE = 12;
+  var FEW = 20;
+  var [RANGE, SMALL] = [12, 6];
   var RANGES = 24;
   var SHORT = 20;
   var made = /* @__PURE__ */ new WeakMap();
@@ -354,14 +355,7 @@
     tellApart(own.groups, entry);
     const whole = own.groups.filter((each) => each.kind !== "range");
     if (whole.length > MOST) {
-      const ranges = split(whole).map((groups) => {
-        var _a2;
-        const label2 = between(groups.map((each) => each.label));
-        const range = group2("range", `${own.id}#${(_a2 = groups[0]) == null ? void 0 : _a2.id}`, label2, own.namespace);
-        range.title = `${counted(groups.length, "container")}: ${label2}`;
-        range.groups = groups;
-        return range;
-      });
+      const ranges = inRanges(own, whole);
       own.groups = [...ranges, ...own.groups.filter((each) => each.kind === "range")];
       ranges.forEach((each) => finish(each, entry));
     }
@@ -370,6 +364,16 @@
       each.parent = own.id;
       own.count += each.count;
     }
+  }
+  function inRanges(own, groups, size) {
+    return split(groups, size).map((members) => {
+      var _a;
+      const label2 = between(members.map((each) => each.label));
+      const range = group2("range", `${own.id}#${(_a = members[0]) == null ? void 0 : _a.id}`, label2, own.namespace);
+      range.title = `${counted(members.length, "container")}: ${label2}`;
+      range.groups = members;
+      return range;
+    });
   }
   function tellApart(groups, entry) {
     const alike = /* @__PURE__ */ new Map();
@@ -394,30 +398,60 @@
     return (others.every((other) => other === first) ? shared2 : shared2.replace(/[^/_.-]*$/, "")).replace(/^[/]|[/_.-]+$/g, "");
   }
   function byFile(own, entry) {
-    var _a, _b, _c, _d, _e;
+    var _a, _b;
     if (own.kind === "range" || own.container >= 0) return;
-    const files = /* @__PURE__ */ new Map();
+    const top = group2("root", own.id, "");
+    const known6 = /* @__PURE__ */ new Map();
     for (const node of own.nodes) {
-      let at = ((_a = entry.nodes[node]) == null ? void 0 : _a.container) ?? -1;
-      for (let seen = 0; at >= 0 && ((_b = entry.containers[at]) == null ? void 0 : _b.kind) !== "include" && seen < DEEPEST; seen++) at = ((_c = entry.containers[at]) == null ? void 0 : _c.parent) ?? -1;
-      const known6 = files.get(at);
-      if (known6) known6.push(node);
-      else files.set(at, [node]);
+      let around3 = top;
+      for (const file of includesAround(entry, node)) {
+        let inner = known6.get(file);
+        if (!inner) {
+          const path = ((_a = entry.containers[file]) == null ? void 0 : _a.label) ?? "";
+          inner = group2("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
+          Object.assign(inner, { title: path, own: ((_b = entry.containers[file]) == null ? void 0 : _b.findings) ?? [] });
+          known6.set(file, inner);
+          around3.groups.push(inner);
+        }
+        around3 = inner;
+      }
+      around3.nodes.push(node);
     }
-    const large = Array.from(files).filter(([file, nodes]) => file >= 0 && nodes.length > 1);
-    const left = own.nodes.length - large.reduce((sum, [, nodes]) => sum + nodes.length, 0);
-    if (left + large.length > MOST || large.length < 2) return;
-    own.nodes = own.nodes.filter((node) => !large.some(([, nodes]) => nodes.includes(node)));
-    for (const [file, nodes] of large) {
-      const path = ((_d = entry.containers[file]) == null ? void 0 : _d.label) ?? "";
-      const inner = group2("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
-      Object.assign(inner, { title: path, nodes, own: ((_e = entry.containers[file]) == null ? void 0 : _e.findings) ?? [] });
-      finish(inner, entry);
-      own.groups.push(inner);
+    thin(top);
+    for (let [only2, other] = top.groups; only2 && !other; [only2, other] = top.groups) {
+      top.groups = only2.groups;
+      top.nodes.push(...only2.nodes);
     }
+    if (!top.groups.length || top.nodes.length + top.groups.length > MOST) return;
+    top.groups.forEach((each) => finish(each, entry));
+    own.nodes = own.nodes.filter((node) => top.nodes.includes(node));
+    tellApart(top.groups, entry);
+    const ranges = top.groups.length > FEW ? inRanges(own, top.groups, SMALL) : [];
+    ranges.forEach((each) => finish(each, entry));
+    own.groups.push(...ranges.length ? ranges : top.groups);
   }
-  function split(members) {
-    const ranges = Math.min(RANGES, Math.ceil(members.length / RANGE));
+  function includesAround(entry, node) {
+    var _a, _b, _c;
+    const chain = [];
+    let at = ((_a = entry.nodes[node]) == null ? void 0 : _a.container) ?? -1;
+    for (let seen = 0; at >= 0 && seen < DEEPEST; seen++) {
+      if (((_b = entry.containers[at]) == null ? void 0 : _b.kind) === "include") chain.unshift(at);
+      at = ((_c = entry.containers[at]) == null ? void 0 : _c.parent) ?? -1;
+    }
+    return chain;
+  }
+  function thin(own) {
+    let count3 = own.nodes.length;
+    own.groups = own.groups.filter((each) => {
+      const inside = thin(each);
+      count3 += inside;
+      if (inside < 2) own.nodes.push(...each.nodes);
+      return inside > 1;
+    });
+    return count3;
+  }
+  function split(members, size = RANGE) {
+    const ranges = Math.min(RANGES, Math.ceil(members.length / size));
     return Array.from(
       { length: ranges },
       (_, at) => members.slice(Math.floor(at * members.length / ranges), Math.floor((at + 1) * members.length / ranges))
@@ -606,6 +640,7 @@ ${counted(about.nodes, "node")}`;
   var MARGIN2 = 16;
   var LONG = 700;
   var WIDER = 1.25;
+  var DOWNWARDS = 4;
   var GAIN = 0.9;
   var ROWS = [1, 0.4];
   var KEPT = 600;
@@ -629,13 +664,13 @@ ${counted(about.nodes, "node")}`;
     "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
     "elk.layered.considerModelOrder.crossingCounterNodeInfluence": "0.001"
   };
-  async function layOutPart(engine, part2, inner, measure, cache, aspect) {
+  async function layOutPart(engine, part2, inner, measure, cache, screen) {
     const names2 = new Names();
     const graph = asGraph(part2, inner, measure, names2);
-    const key = JSON.stringify([graph, names2.all, aspect]);
+    const key = JSON.stringify([graph, names2.all, screen]);
     let placed = cache.get(key);
     if (!placed) {
-      placed = run(engine, part2, graph, names2, aspect);
+      placed = run(engine, part2, graph, names2, screen);
       cache.set(key, placed);
       for (const oldest of cache.keys()) {
         if (cache.size <= KEPT) break;
@@ -644,7 +679,7 @@ ${counted(about.nodes, "node")}`;
     }
     return placed;
   }
-  async function run(engine, part2, graph, names2, aspect) {
+  async function run(engine, part2, graph, names2, screen) {
     const root = (options = {}) => ({
       id: "root",
       layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
@@ -653,16 +688,20 @@ ${counted(about.nodes, "node")}`;
     let best = asPlaced(await engine.layout(root()), names2);
     if (!part2.ports.length) {
       for (const ratio of ROWS) {
-        if (best.width < LONG || best.width < WIDER * aspect * best.height) break;
-        const rows2 = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * aspect) };
+        if (best.width <= Math.min(LONG, screen.width) || best.width < WIDER * screen.aspect * best.height && !isNarrow(screen)) break;
+        const rows2 = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * screen.aspect) };
         const tried = asPlaced(await engine.layout(root(rows2)), names2);
-        if (isStraight(tried) && costOf(tried, aspect) < GAIN * costOf(best, aspect)) best = tried;
+        if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
       }
     }
     return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names2);
   }
-  function costOf({ width, height }, aspect) {
-    return Math.max(width / aspect, height);
+  function costOf({ width, height }, screen) {
+    const cut2 = isNarrow(screen) ? Math.max(0, width - screen.width) : 0;
+    return Math.max(width / screen.aspect, height) + DOWNWARDS * cut2;
+  }
+  function isNarrow({ width }) {
+    return width < LONG;
   }
   function isStraight({ edges }) {
     return Array.from(edges.values()).every(({ points }) => points.every((point, at) => {
@@ -1024,10 +1063,12 @@ ${counted(about.nodes, "node")}`;
   var NARROWER = 0.75;
   var BROADER = 2.2;
   var STEP = 40;
-  async function layOut(engine, level, measure, cache, aspect) {
+  async function layOut(engine, level, measure, cache, screen) {
+    const { aspect } = screen;
     const alone = level.boxes.filter((box2) => !box2.classes.includes("tray")).length === 1;
+    const within2 = (box2) => ({ aspect: form(box2), width: screen.width - 2 * MARGIN2 });
     const form = (box2) => box2.classes.includes("tray") ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect;
-    const inside = await Promise.all(level.boxes.map((box2) => box2.level ? layOut(engine, box2.level, measure, cache, form(box2)) : null));
+    const inside = await Promise.all(level.boxes.map((box2) => box2.level ? layOut(engine, box2.level, measure, cache, within2(box2)) : null));
     const all = /* @__PURE__ */ new Map();
     for (const each of inside) each == null ? void 0 : each.forEach((placed, id) => all.set(id, placed));
     const parts3 = connectedParts(level);
@@ -1039,12 +1080,12 @@ ${counted(about.nodes, "node")}`;
     const blocks = await Promise.all(
       parts3.map((part2) => {
         const [box2] = part2.boxes;
-        return box2 && singles.includes(box2) ? single(box2, all.get(box2.id), widths.get(box2.kind) ?? 0, measure) : layOutPart(engine, part2, all, measure, cache, aspect);
+        return box2 && singles.includes(box2) ? single(box2, all.get(box2.id), widths.get(box2.kind) ?? 0, measure) : layOutPart(engine, part2, all, measure, cache, screen);
       })
     );
     const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
     const head2 = level.group.kind === "root" ? MARGIN2 : HEAD;
-    const shape2 = { head: head2, least, aspect, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
+    const shape2 = { head: head2, least, screen, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
     all.set(level.group.id, pack(parts3, blocks, shape2));
     return all;
   }
@@ -1114,11 +1155,11 @@ ${counted(about.nodes, "node")}`;
     });
     return all;
   }
-  function inRows(blocks, width, above, { aspect, gap }) {
+  function inRows(blocks, width, above, { screen, gap }) {
     const widest = Math.max(width, ...blocks.map((block2) => block2.width));
     const longest = blocks.reduce((sum, block2) => sum + block2.width + gap, 0);
     let best = shelves(blocks, widest, gap);
-    const cost = (rows2) => costOf({ width: rows2.width, height: rows2.height + above }, aspect);
+    const cost = (rows2) => costOf({ width: rows2.width, height: rows2.height + above }, screen);
     for (let trial = 1; trial <= TRIALS && widest < longest; trial++) {
       const rows2 = shelves(blocks, widest + (longest - widest) * trial * trial / TRIALS ** 2, gap);
       if (cost(rows2) < cost(best)) best = rows2;
@@ -2817,6 +2858,9 @@ ${counted(about.nodes, "node")}`;
   function fitting(size, extent) {
     return Math.min((extent.width - 2 * MARGIN4) / Math.max(1, size.width), (extent.height - 2 * MARGIN4 - FOOT) / Math.max(1, size.height));
   }
+  function readable(width) {
+    return (width - 2 * MARGIN4) / LEGIBLE;
+  }
   var Viewport = class {
     /**
      * @param {SVGSVGElement} svg
@@ -3133,7 +3177,7 @@ ${counted(about.nodes, "node")}`;
       this.engine = engine;
       this.measure = measure;
       this.cache = /* @__PURE__ */ new Map();
-      this.aspect = 1;
+      this.screen = { aspect: 1, width: Infinity };
       this.seen = { key: "", place: "", view: (
         /** @type {View | null} */
         null
@@ -3185,7 +3229,7 @@ ${counted(about.nodes, "node")}`;
       const known6 = this.seen.key === key ? this.seen.view : null;
       const view = known6 ? { ...known6, state } : viewOf(this.data, state);
       const place2 = placeKey(state);
-      if (this.seen.place !== place2) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
+      if (this.seen.place !== place2) this.screen = screenOf(extent);
       this.seen = { key, place: place2, view };
       return view;
     }
@@ -3256,7 +3300,7 @@ ${counted(about.nodes, "node")}`;
     }
     /** @param {View} view @param {Level} whole @param {Set<string>} open @returns {Promise<Map<string, Placed>>} */
     async laidOut(view, whole, open) {
-      const fresh = (level) => layOut(this.engine, level, this.measure, this.cache, this.aspect);
+      const fresh = (level) => layOut(this.engine, level, this.measure, this.cache, this.screen);
       const former2 = this.before(view);
       if (!former2) return fresh(whole);
       const before = levelsOf(former2, open, this.measure);
@@ -3281,6 +3325,9 @@ ${counted(about.nodes, "node")}`;
   }
   function roomIn({ width, height }) {
     return width * height / LEGIBLE ** 2;
+  }
+  function screenOf({ width, height }) {
+    return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: readable(width) };
   }
   function wholeState(state) {
     return { ...state, layers: { topics: true, services: true, actions: true, params: state.layers.params }, findingsOnly: false, tray: true, hidden: /* @__PURE__ */ new Set(), filter: "" };

@@ -35,6 +35,17 @@ SMALLEST = """() => {
   }
   return Math.min(...sizes);
 }"""
+OVERLAPPING = """() => {
+  const frame = document.querySelector("#drawing > svg").getBoundingClientRect();
+  const seen = [...document.querySelectorAll("#drawing > svg text")].filter((text) => text.checkVisibility());
+  const all = seen.map((text) => [text.textContent, text.getBoundingClientRect()]).filter(([, box]) => box.width && box.right > frame.left && box.left < frame.right);
+  const isOver = (a, b) => {
+    const [high, low] = [0.2 * a.height, 0.2 * b.height]; // above and below its letters a line of text is empty
+    return a.left + 1 < b.right && b.left + 1 < a.right && a.top + high < b.bottom - low && b.top + low < a.bottom - high;
+  };
+  return all.flatMap(([one, a], at) => all.slice(at + 1).filter(([, b]) => isOver(a, b)).map(([other]) => `${one} and ${other}`));
+}"""
+"""Names that lie over each other."""
 USED = """() => {
   const frame = document.querySelector("#drawing > svg").getBoundingClientRect();
   const boxes = [...document.querySelectorAll("#drawing > svg .box")].map((each) => each.getBoundingClientRect());
@@ -49,6 +60,7 @@ def test_every_name_of_the_example_can_be_read_and_it_fills_the_stage(open_repor
     page = open_report(viewport={"width": size[0], "height": size[1]})
     assert page.evaluate(SMALLEST) >= 9
     assert page.evaluate(USED) >= 0.75
+    assert page.evaluate(OVERLAPPING) == []
 
 
 @pytest.mark.corpus
@@ -57,14 +69,20 @@ def test_every_name_of_a_public_robot_can_be_read(browser: Browser, tmp_path: Pa
     directory = Path(str(find_corpus())) / robot
     target = tmp_path / "report.html"
     write_report(directory, target, ROBOTS[robot], "--workspace", ".")
-    page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
-    page.goto(f"{target.as_uri()}#entry={ROBOTS[robot]}")
-    drawn(page)
-    smallest, note = page.evaluate(SMALLEST), page.locator(".stage-note").text_content()
-    folded = page.locator("#drawing > svg .box.folded").count()
-    page.close()
-    assert smallest >= 9
-    assert (f"in {folded} folded" in str(note)) == (folded > 0)
+    for width, height in ((1440, 900), (1920, 1080), (390, 844)):
+        page = browser.new_page(viewport={"width": width, "height": height}, reduced_motion="reduce")
+        page.goto(f"{target.as_uri()}#entry={ROBOTS[robot]}")
+        drawn(page)
+        smallest, used, note = page.evaluate(SMALLEST), page.evaluate(USED), page.locator(".stage-note").text_content()
+        folded = page.locator("#drawing > svg .box.folded").count()
+        overlapping = page.evaluate(OVERLAPPING)
+        page.close()
+        assert smallest >= 9
+        assert overlapping == []
+        assert (f"in {folded} folded" in str(note)) == (folded > 0)
+        # What a narrow screen cannot hold says so.
+        assert used <= 1 or width == 390
+        assert used <= 1 or "beyond the edge" in str(note)
 
 
 def _places(page: Page) -> dict[str, object]:

@@ -72,6 +72,25 @@ test("too many siblings that different files start stand by file", () => {
   });
 });
 
+test("too many siblings stand by the outermost include that parts them, those of one node beside the others", () => {
+  const drones = Array.from({ length: 10 }, (_, at) => at);
+  const include = (label, parent) => ({ kind: "include", label: `demo/${label}.launch`, namespace: "/", place: null, parent });
+  const containers = [include("all", -1), ...drones.flatMap((at) => [include("drone", 0), include("planner", 1 + 3 * at), include("simulator", 1 + 3 * at)])];
+  const own = (at) => [[`/d${at}_server`, 1 + 3 * at], [`/d${at}_planner`, 2 + 3 * at], [`/d${at}_map`, 3 + 3 * at], [`/d${at}_odom`, 3 + 3 * at], [`/d${at}_pose`, 3 + 3 * at]];
+  const nodes = Object.fromEntries([...drones.flatMap(own).map(([name, container]) => [name, { container }]), ["/rviz", { container: 0 }]]);
+  const drone = (at) => ({
+    [`include drone.launch · d${at} (5)`]: [{ "include simulator.launch (3)": ["map", "odom", "pose"].map((each) => `/d${at}_${each}`) }, `/d${at}_planner`, `/d${at}_server`],
+  });
+  assert.deepEqual(of([], { nodes, containers }, "namespace"), { "root / (51)": [...drones.map(drone), "/rviz"] });
+});
+
+test("more includes than fit beside each other stand in ranges", () => {
+  const containers = Array.from({ length: 24 }, () => ({ kind: "include", label: "demo/drone.launch", namespace: "/", place: null, parent: -1 }));
+  const nodes = Object.fromEntries(containers.flatMap((_, at) => ["a", "b"].map((each) => [`/d${at}_${each}`, { container: at }])));
+  const [root] = Object.values(of([], { nodes, containers }, "namespace"));
+  assert.deepEqual(root.map((each) => Object.keys(each)[0].match(/^range .* \((\d+)\)$/)?.[1]), ["12", "12", "12", "12"]);
+});
+
 test("hostile nesting ends somewhere, and no node is lost", () => {
   const deep = `${"/d".repeat(2000)}/n`;
   const [entry] = data([], named(deep, "/d/x")).entries;

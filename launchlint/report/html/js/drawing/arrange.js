@@ -10,7 +10,8 @@ import { PADDING } from "./boxes.js";
 /** @typedef {import("./model").Level} Level */
 /** @typedef {import("./model").Placed} Placed */
 /** @typedef {import("./model").Point} Point */
-/** @typedef {{ head: number, least: number, aspect: number, gap: number }} Shape Room at the top, least width, width by height that is wanted, room between boxes. */
+/** @typedef {import("./model").Screen} Screen */
+/** @typedef {{ head: number, least: number, screen: Screen, gap: number }} Shape Room at the top, least width, what it is for, room between boxes. */
 
 /** Between the upper border of an open container, which has its name, and what is in it. */
 const HEAD = 32;
@@ -33,15 +34,18 @@ const STEP = 40;
  * @param {Level} level
  * @param {Measure} measure
  * @param {Map<string, Promise<Placed>>} cache
- * @param {number} aspect of the screen: width by height
+ * @param {Screen} screen
  * @returns {Promise<Map<string, Placed>>} by the id of the container
  */
-export async function layOut(engine, level, measure, cache, aspect) {
+export async function layOut(engine, level, measure, cache, screen) {
+  const { aspect } = screen;
   // What stands beside others had better be narrow.
   const alone = level.boxes.filter((box) => !box.classes.includes("tray")).length === 1;
+  /** @param {Box} box @returns {Screen} */
+  const within = (box) => ({ aspect: form(box), width: screen.width - 2 * MARGIN });
   /** @param {Box} box */
   const form = (box) => (box.classes.includes("tray") ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect);
-  const inside = await Promise.all(level.boxes.map((box) => (box.level ? layOut(engine, box.level, measure, cache, form(box)) : null)));
+  const inside = await Promise.all(level.boxes.map((box) => (box.level ? layOut(engine, box.level, measure, cache, within(box)) : null)));
   /** @type {Map<string, Placed>} */
   const all = new Map();
   for (const each of inside) each?.forEach((placed, id) => all.set(id, placed));
@@ -51,12 +55,12 @@ export async function layOut(engine, level, measure, cache, aspect) {
   const blocks = await Promise.all(
     parts.map((part) => {
       const [box] = part.boxes;
-      return box && singles.includes(box) ? single(box, all.get(box.id), widths.get(box.kind) ?? 0, measure) : layOutPart(engine, part, all, measure, cache, aspect);
+      return box && singles.includes(box) ? single(box, all.get(box.id), widths.get(box.kind) ?? 0, measure) : layOutPart(engine, part, all, measure, cache, screen);
     }),
   );
   const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
   const head = level.group.kind === "root" ? MARGIN : HEAD;
-  const shape = { head, least, aspect, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
+  const shape = { head, least, screen, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
   all.set(level.group.id, pack(parts, blocks, shape));
   return all;
 }
@@ -161,12 +165,12 @@ function pack(parts, blocks, shape) {
  * @param {Shape} shape
  * @returns {{ width: number, height: number, places: Point[] }}
  */
-function inRows(blocks, width, above, { aspect, gap }) {
+function inRows(blocks, width, above, { screen, gap }) {
   const widest = Math.max(width, ...blocks.map((block) => block.width));
   const longest = blocks.reduce((sum, block) => sum + block.width + gap, 0);
   let best = shelves(blocks, widest, gap);
   /** @param {{ width: number, height: number }} rows */
-  const cost = (rows) => costOf({ width: rows.width, height: rows.height + above }, aspect);
+  const cost = (rows) => costOf({ width: rows.width, height: rows.height + above }, screen);
   for (let trial = 1; trial <= TRIALS && widest < longest; trial++) {
     const rows = shelves(blocks, widest + ((longest - widest) * trial * trial) / TRIALS ** 2, gap);
     if (cost(rows) < cost(best)) best = rows;

@@ -8,6 +8,7 @@ import { PADDING } from "./boxes.js";
 /** @typedef {import("./model").Level} Level */
 /** @typedef {import("./model").Placed} Placed */
 /** @typedef {import("./model").Point} Point */
+/** @typedef {import("./model").Screen} Screen */
 /** @typedef {{ layout(graph: ElkNode): Promise<ElkNode> }} Engine */
 /**
  * @typedef {object} ElkNode
@@ -45,9 +46,11 @@ export const LABEL_HEIGHT = 14;
 export const BADGE = 17;
 /** Between the border of a container and what is in it. */
 export const MARGIN = 16;
-/** A drawing at least so many pixels long, and this much wider than the screen for its height, is folded into rows. */
+/** A drawing at least so many pixels long, or wider than a narrow screen, and this much wider than the screen for its height, is folded into rows. */
 const LONG = 700;
 const WIDER = 1.25;
+/** What a pixel costs that is beyond the side of a narrow screen, in pixels of height. */
+const DOWNWARDS = 4;
 /** Rows have to make it so much smaller. */
 const GAIN = 0.9;
 /** Forms of rows that are tried: width by height, against the screen's. */
@@ -83,16 +86,16 @@ export const OPTIONS = {
  * @param {Map<string, Placed>} inner the levels of its open boxes, by the id of their container
  * @param {Measure} measure
  * @param {Map<string, Promise<Placed>>} cache
- * @param {number} aspect of the screen
+ * @param {Screen} screen
  * @returns {Promise<Placed>} without room around it, but between it and a border that it touches
  */
-export async function layOutPart(engine, part, inner, measure, cache, aspect) {
+export async function layOutPart(engine, part, inner, measure, cache, screen) {
   const names = new Names();
   const graph = asGraph(part, inner, measure, names);
-  const key = JSON.stringify([graph, names.all, aspect]);
+  const key = JSON.stringify([graph, names.all, screen]);
   let placed = cache.get(key);
   if (!placed) {
-    placed = run(engine, part, graph, names, aspect);
+    placed = run(engine, part, graph, names, screen);
     cache.set(key, placed);
     for (const oldest of cache.keys()) {
       if (cache.size <= KEPT) break;
@@ -107,10 +110,10 @@ export async function layOutPart(engine, part, inner, measure, cache, aspect) {
  * @param {Level} part
  * @param {ElkNode} graph
  * @param {Names} names
- * @param {number} aspect
+ * @param {Screen} screen
  * @returns {Promise<Placed>}
  */
-async function run(engine, part, graph, names, aspect) {
+async function run(engine, part, graph, names, screen) {
   const root = (options = {}) => ({
     id: "root",
     layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
@@ -119,18 +122,28 @@ async function run(engine, part, graph, names, aspect) {
   let best = asPlaced(await engine.layout(root()), names);
   if (!part.ports.length) {
     for (const ratio of ROWS) {
-      if (best.width < LONG || best.width < WIDER * aspect * best.height) break;
-      const rows = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * aspect) };
+      if (best.width <= Math.min(LONG, screen.width) || (best.width < WIDER * screen.aspect * best.height && !isNarrow(screen))) break;
+      const rows = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * screen.aspect) };
       const tried = asPlaced(await engine.layout(root(rows)), names);
-      if (isStraight(tried) && costOf(tried, aspect) < GAIN * costOf(best, aspect)) best = tried;
+      if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
     }
   }
   return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names);
 }
 
-/** The height of a screen that shows all of it. @param {{ width: number, height: number }} size @param {number} aspect width by height of the screen */
-export function costOf({ width, height }, aspect) {
-  return Math.max(width / aspect, height);
+/**
+ * The height of a screen that shows all of it; on a narrow one it is better drawn downwards than to be cut at its side.
+ * @param {{ width: number, height: number }} size
+ * @param {Screen} screen
+ */
+export function costOf({ width, height }, screen) {
+  const cut = isNarrow(screen) ? Math.max(0, width - screen.width) : 0;
+  return Math.max(width / screen.aspect, height) + DOWNWARDS * cut;
+}
+
+/** @param {Screen} screen */
+function isNarrow({ width }) {
+  return width < LONG;
 }
 
 /** Whether all lines are level or upright: where it folds long drawings, ELK sometimes fails to make them so. @param {Placed} placed */

@@ -171,6 +171,12 @@ export interface Point {
 }
 
 /** A level with sizes and places, relative to its upper left corner. */
+/** What a drawing is made for: its width by its height, and the width, in pixels of the drawing, at which names can be read. */
+export interface Screen {
+  aspect: number;
+  width: number;
+}
+
 export interface Placed {
   width: number;
   height: number;

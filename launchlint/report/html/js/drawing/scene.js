@@ -8,7 +8,7 @@ import { levelsOf } from "./levels.js";
 import { masked } from "./mask.js";
 import { sheetOf } from "./sheet.js";
 import { viewOf } from "./view.js";
-import { LEGIBLE, fitting } from "./viewport.js";
+import { LEGIBLE, fitting, readable } from "./viewport.js";
 import { Drawn } from "./walk.js";
 
 /** @typedef {import("../data").ReportData} ReportData */
@@ -37,8 +37,8 @@ export class Director {
     this.measure = measure;
     /** @type {Map<string, Promise<Placed>>} */
     this.cache = new Map();
-    /** Width by height of the viewport when the view was first drawn: later changes of its size move nothing. */
-    this.aspect = 1;
+    /** The viewport when the view was first drawn: later changes of its size move nothing. */
+    this.screen = { aspect: 1, width: Infinity };
     this.seen = { key: "", place: "", view: /** @type {View | null} */ (null) };
     this.laid = { key: "", view: /** @type {View | null} */ (null) };
     this.former = { key: "", view: /** @type {View | null} */ (null) };
@@ -84,7 +84,7 @@ export class Director {
     const known = this.seen.key === key ? this.seen.view : null;
     const view = known ? { ...known, state } : viewOf(this.data, state);
     const place = placeKey(state);
-    if (this.seen.place !== place) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
+    if (this.seen.place !== place) this.screen = screenOf(extent);
     this.seen = { key, place, view };
     return view;
   }
@@ -162,7 +162,7 @@ export class Director {
 
   /** @param {View} view @param {Level} whole @param {Set<string>} open @returns {Promise<Map<string, Placed>>} */
   async laidOut(view, whole, open) {
-    const fresh = (/** @type {Level} */ level) => layOut(this.engine, level, this.measure, this.cache, this.aspect);
+    const fresh = (/** @type {Level} */ level) => layOut(this.engine, level, this.measure, this.cache, this.screen);
     const former = this.before(view);
     if (!former) return fresh(whole);
     const before = levelsOf(former, open, this.measure);
@@ -192,6 +192,11 @@ function roomOf({ boxes, edges }) {
 /** Square pixels of a drawing whose names can be read. @param {{ width: number, height: number }} extent of the viewport, in pixels */
 function roomIn({ width, height }) {
   return (width * height) / LEGIBLE ** 2;
+}
+
+/** @param {{ width: number, height: number }} extent of the viewport, in pixels @returns {import("./model").Screen} */
+function screenOf({ width, height }) {
+  return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: readable(width) };
 }
 
 /** The same state with nothing switched off, filtered or hidden that leaves a place of its own. @param {ViewState} state @returns {ViewState} */

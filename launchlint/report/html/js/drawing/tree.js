@@ -10,8 +10,10 @@ import { compareNames, counted, cut, lastPart, machineName } from "./names.js";
 const DEEPEST = 32;
 /** More siblings than this are put into ranges, so that they can be read and laid out. */
 const MOST = 40;
-/** Members of a range. */
-const RANGE = 12;
+/** More includes than this do not fit beside each other with the lines between them. */
+const FEW = 20;
+/** Members of a range; of one of includes, so that one of them can be opened. */
+const [RANGE, SMALL] = [12, 6];
 const RANGES = 24;
 /** Longest name at an end of a range, in characters. */
 const SHORT = 20;
@@ -183,13 +185,7 @@ function finish(own, entry) {
   tellApart(own.groups, entry);
   const whole = own.groups.filter((each) => each.kind !== "range");
   if (whole.length > MOST) {
-    const ranges = split(whole).map((groups) => {
-      const label = between(groups.map((each) => each.label));
-      const range = group("range", `${own.id}#${groups[0]?.id}`, label, own.namespace);
-      range.title = `${counted(groups.length, "container")}: ${label}`;
-      range.groups = groups;
-      return range;
-    });
+    const ranges = inRanges(own, whole);
     own.groups = [...ranges, ...own.groups.filter((each) => each.kind === "range")];
     ranges.forEach((each) => finish(each, entry));
   }
@@ -198,6 +194,17 @@ function finish(own, entry) {
     each.parent = own.id;
     own.count += each.count;
   }
+}
+
+/** Containers put into ranges of some. @param {Group} own what they are in @param {Group[]} groups @param {number} [size] */
+function inRanges(own, groups, size) {
+  return split(groups, size).map((members) => {
+    const label = between(members.map((each) => each.label));
+    const range = group("range", `${own.id}#${members[0]?.id}`, label, own.namespace);
+    range.title = `${counted(members.length, "container")}: ${label}`;
+    range.groups = members;
+    return range;
+  });
 }
 
 /** Includes of one file, and groups of one name, are told apart by what the names of their nodes begin with, else by their number. @param {Group[]} groups @param {Entry} entry */
@@ -222,41 +229,77 @@ function beginning([first = "", ...others]) {
 }
 
 /**
- * Too many nodes beside each other are put together with those that the same launch file starts, where that makes groups worth having.
+ * Too many nodes beside each other are put together with those that the same include starts, by itself or through others, where that makes
+ * groups worth having.
  * @param {Group} own
  * @param {Entry} entry
  */
 function byFile(own, entry) {
   if (own.kind === "range" || own.container >= 0) return;
-  /** @type {Map<number, number[]>} */
-  const files = new Map();
+  const top = group("root", own.id, "");
+  /** @type {Map<number, Group>} */
+  const known = new Map();
   for (const node of own.nodes) {
-    let at = entry.nodes[node]?.container ?? -1;
-    for (let seen = 0; at >= 0 && entry.containers[at]?.kind !== "include" && seen < DEEPEST; seen++) at = entry.containers[at]?.parent ?? -1;
-    const known = files.get(at);
-    if (known) known.push(node);
-    else files.set(at, [node]);
+    let around = top;
+    for (const file of includesAround(entry, node)) {
+      let inner = known.get(file);
+      if (!inner) {
+        const path = entry.containers[file]?.label ?? "";
+        inner = group("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
+        Object.assign(inner, { title: path, own: entry.containers[file]?.findings ?? [] });
+        known.set(file, inner);
+        around.groups.push(inner);
+      }
+      around = inner;
+    }
+    around.nodes.push(node);
   }
-  const large = Array.from(files).filter(([file, nodes]) => file >= 0 && nodes.length > 1);
-  const left = own.nodes.length - large.reduce((sum, [, nodes]) => sum + nodes.length, 0);
-  if (left + large.length > MOST || large.length < 2) return;
-  own.nodes = own.nodes.filter((node) => !large.some(([, nodes]) => nodes.includes(node)));
-  for (const [file, nodes] of large) {
-    const path = entry.containers[file]?.label ?? "";
-    const inner = group("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
-    Object.assign(inner, { title: path, nodes, own: entry.containers[file]?.findings ?? [] });
-    finish(inner, entry);
-    own.groups.push(inner);
+  thin(top);
+  // What all or nearly all stands in parts nothing.
+  for (let [only, other] = top.groups; only && !other; [only, other] = top.groups) {
+    top.groups = only.groups;
+    top.nodes.push(...only.nodes);
   }
+  if (!top.groups.length || top.nodes.length + top.groups.length > MOST) return;
+  top.groups.forEach((each) => finish(each, entry));
+  own.nodes = own.nodes.filter((node) => top.nodes.includes(node));
+  tellApart(top.groups, entry);
+  const ranges = top.groups.length > FEW ? inRanges(own, top.groups, SMALL) : [];
+  ranges.forEach((each) => finish(each, entry));
+  own.groups.push(...(ranges.length ? ranges : top.groups));
+}
+
+/** Indexes of the includes around a node, outermost first. @param {Entry} entry @param {number} node */
+function includesAround(entry, node) {
+  const chain = [];
+  let at = entry.nodes[node]?.container ?? -1;
+  for (let seen = 0; at >= 0 && seen < DEEPEST; seen++) {
+    if (entry.containers[at]?.kind === "include") chain.unshift(at);
+    at = entry.containers[at]?.parent ?? -1;
+  }
+  return chain;
+}
+
+/** Includes of one node are no groups. @param {Group} own @returns {number} nodes in it */
+function thin(own) {
+  let count = own.nodes.length;
+  own.groups = own.groups.filter((each) => {
+    const inside = thin(each);
+    count += inside;
+    if (inside < 2) own.nodes.push(...each.nodes);
+    return inside > 1;
+  });
+  return count;
 }
 
 /**
  * @template T
  * @param {T[]} members
+ * @param {number} [size] of a range, at most
  * @returns {T[][]}
  */
-function split(members) {
-  const ranges = Math.min(RANGES, Math.ceil(members.length / RANGE));
+function split(members, size = RANGE) {
+  const ranges = Math.min(RANGES, Math.ceil(members.length / size));
   return Array.from({ length: ranges }, (_, at) =>
     members.slice(Math.floor((at * members.length) / ranges), Math.floor(((at + 1) * members.length) / ranges)),
   );

@@ -26,6 +26,11 @@ export function fitting(size, extent) {
   return Math.min((extent.width - 2 * MARGIN) / Math.max(1, size.width), (extent.height - 2 * MARGIN - FOOT) / Math.max(1, size.height));
 }
 
+/** The widest drawing of which all can be read at once. @param {number} width of the screen */
+export function readable(width) {
+  return (width - 2 * MARGIN) / LEGIBLE;
+}
+
 export class Viewport {
   /**
    * @param {SVGSVGElement} svg
