@@ -3437,6 +3437,7 @@ ${counted(about.nodes, "node")}`;
       const same = key.all === this.shownKey;
       this.events.busy(true);
       this.host.classList.toggle("waiting", !same && this.slow);
+      const sign = window.setTimeout(() => turn === this.turn && this.host.classList.add("waiting"), PATIENCE);
       if (!same && this.slow) await shown();
       try {
         const scene = same && this.scene ? this.scene : await this.made(state);
@@ -3451,6 +3452,7 @@ ${counted(about.nodes, "node")}`;
         this.match(state.matches);
         this.select(this.selection);
       } finally {
+        clearTimeout(sign);
         if (turn === this.turn) {
           this.host.classList.remove("waiting");
           this.events.busy(false);
@@ -5272,6 +5274,7 @@ ${end.mark}`;
   function entryChooser({ model, store }) {
     const { entries, files } = model.data;
     if (entries.length < 2) return null;
+    const names2 = toldApart(entries.map((each) => files[each.file] ?? ""));
     const options = entries.map((each, index) => {
       const count3 = each.findings.length;
       const told2 = [
@@ -5281,12 +5284,18 @@ ${end.mark}`;
         count3 > 0 && `${count3} ${count3 === 1 ? "finding" : "findings"}`
       ];
       const more = told2.filter(Boolean).join(", ");
-      return element2("option", { value: index }, `${files[each.file]}${more ? ` (${more})` : ""}`);
+      return element2("option", { value: index, title: files[each.file] ?? "" }, `${names2[index]}${more ? ` (${more})` : ""}`);
     });
     const all = element2("option", { value: -1 }, `All ${number(entries.length, "launch file")}`);
     const host2 = element2("select", { "aria-label": "Launch file" }, all, ...options);
     host2.addEventListener("change", () => store.set(host2.value === "-1" ? { ...initialState(), landing: true } : { entry: Number(host2.value) }));
     return host2;
+  }
+  function toldApart(paths) {
+    const endings = (path) => path.split("/").map((_, at, parts3) => parts3.slice(parts3.length - 1 - at).join("/"));
+    const counts = /* @__PURE__ */ new Map();
+    for (const path of new Set(paths)) for (const each of endings(path)) counts.set(each, (counts.get(each) ?? 0) + 1);
+    return paths.map((path) => endings(path).find((each) => counts.get(each) === 1) ?? path);
   }
 
   // launchlint/report/html/js/page/drawing_keys.js

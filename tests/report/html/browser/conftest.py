@@ -39,7 +39,7 @@ def browser() -> Iterator[Browser]:
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     """A function: the page of the robot, of ``hostile`` names, of what ``changed``, of an ``empty`` file, of an ``unknown`` robot.
 
-    Or of findings ``between`` nodes, of a file that is refused ``otherwise``, or of ``fifty`` nodes.
+    Or of findings ``between`` nodes, of a file that is refused ``otherwise``, of ``fifty`` or ``three_hundred`` nodes.
     """
     made: dict[str, Path] = {}
     directory = tmp_path_factory.mktemp("reports")
@@ -225,10 +225,10 @@ def _ros2(directory: Path) -> Path:
     return _written(directory, "main.launch.py", "--library", "library.json")
 
 
-def _fifty(directory: Path) -> Path:
-    """A robot of fifty nodes."""
+def _fifty(directory: Path, size: int = 50) -> Path:
+    """A robot of fifty nodes, or of so many."""
     directory.mkdir()
-    write_launch(directory, 50)
+    write_launch(directory, size)
     return _written(directory, "main.launch", "--library", "library.json")
 
 
@@ -246,6 +246,7 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "copies": _copies,
     "ros2": _ros2,
     "fifty": _fifty,
+    "three_hundred": lambda directory: _fifty(directory, 300),
 }
 
 

@@ -87,6 +87,21 @@ def test_a_drawing_that_takes_long_says_so(open_report):
     assert page.locator("#drawing.waiting").count() == 0
 
 
+def test_hub_topics_of_three_hundred_nodes_are_there_soon_or_it_says_that_they_come(open_report):
+    page = open_report("three_hundred", "#entry=main.launch")
+    page.evaluate(SIGNS)
+    page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": 4})  # so that it takes long anywhere
+    took = page.evaluate("""() => new Promise((done) => {
+      const host = document.getElementById("drawing");
+      const from = performance.now();
+      [...document.querySelectorAll("button")].find((each) => each.textContent === "Hub topics").click();
+      const look = () => host.ariaBusy === "false" ? done(performance.now() - from) : requestAnimationFrame(look);
+      look();
+    })""")
+    assert took <= 150 or '"Drawing …"' in page.evaluate("() => window.signs")
+    assert page.locator("#drawing.waiting").count() == 0
+
+
 def test_a_drag_moves_and_selects_nothing(open_report):
     page = open_report("robot", "#open=")
     left, top, *_ = place(page, "/base")

@@ -85,6 +85,7 @@ export class Surface {
     const same = key.all === this.shownKey;
     this.events.busy(true);
     this.host.classList.toggle("waiting", !same && this.slow);
+    const sign = window.setTimeout(() => turn === this.turn && this.host.classList.add("waiting"), PATIENCE);
     if (!same && this.slow) await shown();
     try {
       const scene = same && this.scene ? this.scene : await this.made(state);
@@ -99,6 +100,7 @@ export class Surface {
       this.match(state.matches);
       this.select(this.selection);
     } finally {
+      clearTimeout(sign);
       if (turn === this.turn) {
         this.host.classList.remove("waiting");
         this.events.busy(false);

@@ -34,6 +34,7 @@ export function createControls(page, { help }) {
 function entryChooser({ model, store }) {
   const { entries, files } = model.data;
   if (entries.length < 2) return null;
+  const names = toldApart(entries.map((each) => files[each.file] ?? ""));
   const options = entries.map((each, index) => {
     const count = each.findings.length;
     const told = [
@@ -43,10 +44,24 @@ function entryChooser({ model, store }) {
       count > 0 && `${count} ${count === 1 ? "finding" : "findings"}`,
     ];
     const more = told.filter(Boolean).join(", ");
-    return element("option", { value: index }, `${files[each.file]}${more ? ` (${more})` : ""}`);
+    return element("option", { value: index, title: files[each.file] ?? "" }, `${names[index]}${more ? ` (${more})` : ""}`);
   });
   const all = element("option", { value: -1 }, `All ${number(entries.length, "launch file")}`);
   const host = element("select", { "aria-label": "Launch file" }, all, ...options);
   host.addEventListener("change", () => store.set(host.value === "-1" ? { ...initialState(), landing: true } : { entry: Number(host.value) }));
   return host;
+}
+
+/**
+ * The ends of paths that tell them apart: a narrow field shows only the beginning of what it holds.
+ *
+ * @param {string[]} paths
+ */
+function toldApart(paths) {
+  /** @param {string} path */
+  const endings = (path) => path.split("/").map((_, at, parts) => parts.slice(parts.length - 1 - at).join("/"));
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  for (const path of new Set(paths)) for (const each of endings(path)) counts.set(each, (counts.get(each) ?? 0) + 1);
+  return paths.map((path) => endings(path).find((each) => counts.get(each) === 1) ?? path);
 }
