@@ -7133,12 +7133,15 @@ ${end.mark}`;
     const verdict2 = part("verdict");
     const counts = part("counts");
     page.store.listen((state, before) => {
+      var _a;
       if (state !== before && state.entry === before.entry && state.configuration === before.configuration) return;
       const model = page.model.entry(state.entry);
       const { entry } = model;
+      const args = entry.configurations[state.configuration];
+      (_a = part("bar").querySelector("h1")) == null ? void 0 : _a.setAttribute("data-shown", [page.model.data.files[entry.file], args !== void 0 && configurationName(args)].filter(Boolean).join(", "));
       const severities = findingsIn(model, state.configuration).map((each) => {
-        var _a;
-        return (_a = page.model.data.findings[each]) == null ? void 0 : _a.severity;
+        var _a2;
+        return (_a2 = page.model.data.findings[each]) == null ? void 0 : _a2.severity;
       });
       const has = (severity) => severities.filter((each) => each === severity).length;
       const words2 = notice(entry) || loads(has("error"), has("warning"));

@@ -58,6 +58,13 @@ def test_fifty_nodes_take_one_sheet_and_each_sheet_of_a_table_has_its_heads(open
     assert len(heads) > 1
 
 
+def test_the_first_sheet_says_what_it_shows(open_report, tmp_path):
+    printed = sheets(open_report("robot", "#entry=tools.launch"), tmp_path, "A4", landscape=False)
+    assert "tools.launch" in printed[0]
+    landing = sheets(open_report("robot", "#"), tmp_path, "A4", landscape=False)
+    assert "tools.launch" in landing[0]  # its card stands below the head
+
+
 def test_narrow_screens_show_one_part_at_a_time(open_report):
     page = open_report(viewport={"width": 390, "height": 760})
     parts = ("stage", "tree", "panel", "tables")

@@ -2,7 +2,7 @@
 
 import { element, fill, part } from "./elements.js";
 import { findingsIn, isIn, isUsedIn } from "./model.js";
-import { notice } from "./wording.js";
+import { configurationName, notice } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 /** @typedef {import("../data").Entry} Entry */
@@ -17,6 +17,9 @@ export function createVerdict(page) {
     if (state !== before && state.entry === before.entry && state.configuration === before.configuration) return;
     const model = page.model.entry(state.entry);
     const { entry } = model;
+    const args = entry.configurations[state.configuration];
+    // On paper there is no chooser that says what is shown.
+    part("bar").querySelector("h1")?.setAttribute("data-shown", [page.model.data.files[entry.file], args !== undefined && configurationName(args)].filter(Boolean).join(", "));
     const severities = findingsIn(model, state.configuration).map((each) => page.model.data.findings[each]?.severity);
     const has = (/** @type {string} */ severity) => severities.filter((each) => each === severity).length;
     const words = notice(entry) || loads(has("error"), has("warning"));
