@@ -532,7 +532,8 @@
     const lines = titles(cut(group3.label, LONGEST.title));
     const unknown = about.unknown && about.unknown < about.nodes ? ` · ${about.unknown} unknown` : "";
     const only2 = about.nodes === 1 ? `: ${cut(lastPart(((_a = view.entry.nodes[about.first]) == null ? void 0 : _a.name) ?? ""), LONGEST.label)}` : unknown;
-    lines.push({ kind: "detail", text: `${counted(about.nodes, "node")}${only2}` });
+    const detail = group3.kind === "tray" ? unknown.replace(" · ", "") : `${counted(about.nodes, "node")}${only2}`;
+    if (detail) lines.push({ kind: "detail", text: detail });
     const classes = ["folded", group3.kind];
     if (about.nodes && about.unknown === about.nodes) classes.push("unknown");
     if (about.mark) classes.push(about.mark);

@@ -38,7 +38,8 @@ SMALLEST = """() => {
 OVERLAPPING = """() => {
   const frame = document.querySelector("#drawing > svg").getBoundingClientRect();
   const seen = [...document.querySelectorAll("#drawing > svg text")].filter((text) => text.checkVisibility());
-  const all = seen.map((text) => [text.textContent, text.getBoundingClientRect()]).filter(([, box]) => box.width && box.right > frame.left && box.left < frame.right);
+  const placed = seen.map((text) => [text.textContent, text.getBoundingClientRect()]);
+  const all = placed.filter(([, box]) => box.width && box.right > frame.left && box.left < frame.right);
   const isOver = (a, b) => {
     const [high, low] = [0.2 * a.height, 0.2 * b.height]; // above and below its letters a line of text is empty
     return a.left + 1 < b.right && b.left + 1 < a.right && a.top + high < b.bottom - low && b.top + low < a.bottom - high;

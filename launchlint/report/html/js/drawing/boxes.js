@@ -109,7 +109,9 @@ export function foldedBox(view, group, measure) {
   const lines = titles(cut(group.label, LONGEST.title));
   const unknown = about.unknown && about.unknown < about.nodes ? ` · ${about.unknown} unknown` : "";
   const only = about.nodes === 1 ? `: ${cut(lastPart(view.entry.nodes[about.first]?.name ?? ""), LONGEST.label)}` : unknown;
-  lines.push({ kind: "detail", text: `${counted(about.nodes, "node")}${only}` });
+  // The tray's name says how many there are.
+  const detail = group.kind === "tray" ? unknown.replace(" · ", "") : `${counted(about.nodes, "node")}${only}`;
+  if (detail) lines.push({ kind: "detail", text: detail });
   const classes = ["folded", group.kind];
   if (about.nodes && about.unknown === about.nodes) classes.push("unknown");
   if (about.mark) classes.push(about.mark);
