@@ -29,6 +29,8 @@ READ_WHILE_EXECUTED = (
     "subst_eval_",
     "scope_include_",
 )
+# Rolling was recorded with launch 3.7.1 (December 2024); these are read by launch 3.8, with which loops came to Kilted and Rolling.
+SINCE_THEN = {"rolling": {"subst_index_new"}}
 ONLY_THEN = {"node_respawn_1", "node_respawn_bad", "subst_not_word", "subst_not_1", "subst_param_none", "tag_set_use_sim_time"}
 
 
@@ -63,6 +65,8 @@ def test_refusals_are_those_of_launch(oracle: Path, cases: Path, distro: str) ->
     refused = 0
     for answer in answers(oracle, distro):
         case = answer["file"].split("/")[0]
+        if case in SINCE_THEN.get(distro, ()):
+            continue
         refusal = read((cases / answer["file"]).read_bytes(), answer["file"], distro=distro).refusal
         error = answer.get("error")
         later = error is not None and (
