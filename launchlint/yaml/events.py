@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from launchlint.named_tuple import NamedTuple
-from launchlint.yaml.refusals import YamlError, explain
+from launchlint.yaml.refusals import YamlError, explain, is_too_deep
 from launchlint.yaml.tree import YamlBeyond
 
 SCALAR, ALIAS, SEQUENCE_START, SEQUENCE_END, MAPPING_START, MAPPING_END = range(6)
@@ -68,6 +68,8 @@ def read(text: str, reader: str, longest: int = 8_000_000, deepest: int = 1_000)
                 depth -= 1
             yield Event(kind, start, end, event.anchor if kind == ALIAS else "")
     except yaml.YAMLError as error:
+        if is_too_deep(error):
+            raise YamlBeyond(f"the YAML text is nested more than {deepest} deep", error.problem_mark.index) from None
         raise explain(error, text, reader) from None
     finally:
         parser.dispose()

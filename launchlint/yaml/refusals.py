@@ -53,6 +53,11 @@ _PLAIN_WORDS = (
 )
 
 
+def is_too_deep(error: Any) -> bool:
+    """Whether libyaml refuses a text for its depth alone: since version 0.2.6 it does, and so far ahead that nothing before is told."""
+    return "exceeded maximum nesting depth" in str(getattr(error, "problem", None))
+
+
 def explain(error: Any, text: str, reader: str) -> YamlError:
     """What the pure Python parser of PyYAML refused in ``text``, for people; ``reader`` names who cannot load it."""
     position = getattr(error, "position", None)

@@ -15,6 +15,7 @@ from launchlint.rcl import parameter_files
 from launchlint.rcl.refused import Refused
 from launchlint.rcl.table import Table
 from launchlint.source import Source
+from launchlint.yaml.events import read
 from launchlint.yaml.tree import YamlBeyond
 from tests.rcl.conftest import Answers
 
@@ -126,6 +127,13 @@ def test_names_without_measure_are_given_up() -> None:
     deep = "".join(f"{'  ' * depth}n{'x' * 900}:\n" for depth in range(500))
     with pytest.raises(YamlBeyond):
         parameter_files.read(Source("params.yaml", deep))
+
+
+@pytest.mark.parametrize(("text", "offset"), [("a: " + "[" * 3_000, 1_002), ("- " * 3_000, 2_000)])
+def test_depth_without_measure_is_given_up(text: str, offset: int) -> None:
+    with pytest.raises(YamlBeyond, match="nested more than 1000 deep") as beyond:
+        list(read(text, "rcl"))
+    assert abs(beyond.value.offset - offset) <= 4  # a level more or less, by the version of libyaml
 
 
 def plain(value: Any) -> Any:

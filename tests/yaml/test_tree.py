@@ -95,6 +95,8 @@ def test_tags_are_the_callers_business() -> None:
     ("text", "bounds", "offset"),
     [
         ("[[[1]]]", {"deepest": 2}, 2),
+        ("[" * 3_000, {"deepest": 2}, 2),
+        ("[" * 3_000, {"deepest": 2, "pure": False}, 2),  # libyaml may refuse it before it says what comes first
         ("a: &a [1, 2]\nb: [*a, *a]", {"written_out": 5}, 16),
         ("a: 12345", {"longest": 7}, 0),
         ("a: &b [*b]", {}, 7),
