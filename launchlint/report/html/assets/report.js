@@ -6030,6 +6030,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/panel_node.js
+  var MOST_IDLE = 5;
   var KINDS3 = { manager: "Nodelet manager", nodelet: "Nodelet", container: "Component container", component: "Component" };
   function nodePanel(page, model, index) {
     const node = model.entry.nodes[index];
@@ -6097,9 +6098,19 @@ ${end.mark}`;
     );
     const isIdle = (each) => !each.certain && peers(model, each, configuration).length === 0;
     const idle = those2.filter(isIdle);
-    const more = () => element2("details", {}, element2("summary", {}, `${idle.length} more that it may have, and nobody uses`), list(idle.map(item2), "connections"));
-    const rest = those2.filter((each) => !isIdle(each)).map(item2);
-    return block(`${title2.charAt(0).toUpperCase()}${title2.slice(1)}`, rest.length > 0 && list(rest, "connections"), idle.length > 0 && more());
+    const folded = idle.length > MOST_IDLE ? idle : [];
+    const shown2 = those2.filter((each) => !folded.includes(each));
+    const more = () => element2(
+      "details",
+      {},
+      element2("summary", {}, `${folded.length} ${shown2.length > 0 ? "more " : ""}that it may have, and nobody is known to use`),
+      list(folded.map(item2), "connections")
+    );
+    return block(
+      `${title2.charAt(0).toUpperCase()}${title2.slice(1)}`,
+      shown2.length > 0 && list(shown2.map(item2), "connections"),
+      folded.length > 0 && more()
+    );
   }
   function openReasons({ open }) {
     const kinds = /* @__PURE__ */ new Map();

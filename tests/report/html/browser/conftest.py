@@ -225,6 +225,20 @@ def _ros2(directory: Path) -> Path:
     return _written(directory, "main.launch.py", "--library", "library.json")
 
 
+def _perhaps(directory: Path) -> Path:
+    """A node that may say two things and hear nine, and nobody does the other."""
+    directory.mkdir()
+    (directory / "package.xml").write_text("<package><name>demo</name><version>1.0.0</version></package>")
+    (directory / "main.launch").write_text('<launch><node pkg="demo" type="talk" name="talk"/></launch>')
+    may = {"type": "std_msgs/String", "condition": {"text": "if (debug_)"}}
+    said = [{"name": f"{side}_said", **may} for side in ("left", "right")]
+    heard = [{"name": "heard", "type": "std_msgs/String"}, *({"name": f"heard_{each}", **may} for each in range(9))]
+    program = {"class": "roscpp", "variants": {"default": {"publishers": said, "subscribers": heard}}}
+    packages = {"demo": {"executables": {"talk": program}}}
+    (directory / "library.json").write_text(json.dumps({"format": "launchlint-library", "version": 1, "packages": packages}))
+    return _written(directory, "main.launch", "--library", "library.json")
+
+
 def _fifty(directory: Path, size: int = 50) -> Path:
     """A robot of fifty nodes, or of so many."""
     directory.mkdir()
@@ -245,6 +259,7 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "choices": _choices,
     "copies": _copies,
     "ros2": _ros2,
+    "perhaps": _perhaps,
     "fifty": _fifty,
     "three_hundred": lambda directory: _fifty(directory, 300),
 }

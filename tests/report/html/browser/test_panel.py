@@ -29,6 +29,18 @@ def test_what_the_panel_says_of_each_thing(open_report, snapshot):
         snapshot(f"panel-{name}.txt", "\n".join(lines(page.locator("#panel"))) + "\n")
 
 
+def test_only_many_names_that_it_may_have_and_nobody_uses_are_folded(open_report):
+    page = open_report("perhaps", "#node=/talk")
+    told = lines(page.locator("#panel"))
+    said, heard = told.index("Publishes"), told.index("Subscribes to")
+    assert [line for line in told[said:heard] if line.startswith("/")] == ["/left_said", "/right_said"]
+    assert [line for line in told[heard:] if line.startswith("/")] == ["/heard"]
+    summary = "9 more that it may have, and nobody is known to use"
+    assert summary in told
+    page.get_by_text(summary).click()
+    assert "/heard_8" in lines(page.locator("#panel"))
+
+
 def test_finding_with_its_lines_and_its_fix(open_report, snapshot):
     page = open_report(fragment="#entry=tools.launch")
     page.locator("#panel .findings a").first.click()

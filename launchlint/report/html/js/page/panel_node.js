@@ -28,6 +28,8 @@ import { does, number, ROLE_ORDER } from "./wording.js";
 /** @typedef {import("../data").Node} GraphNode */
 /** @typedef {import("../data").Connection} Connection */
 
+/** How many names of one kind are shown that it may have, and nobody is known to use. */
+const MOST_IDLE = 5;
 /** @type {{ [kind: string]: string }} */
 const KINDS = { manager: "Nodelet manager", nodelet: "Nodelet", container: "Component container", component: "Component" };
 
@@ -107,13 +109,23 @@ function roleBlock(page, model, role, connections) {
       ...connectionFacts(page, each),
       peerList(page, peers(model, each, configuration), each),
     );
-  // What may be there and nobody uses (image_transport has dozens) does not bury the rest.
+  // What may be there and nobody is known to use does not bury the rest: image_transport has dozens.
   const isIdle = (/** @type {Connection} */ each) => !each.certain && peers(model, each, configuration).length === 0;
   const idle = those.filter(isIdle);
+  const folded = idle.length > MOST_IDLE ? idle : [];
+  const shown = those.filter((each) => !folded.includes(each));
   const more = () =>
-    element("details", {}, element("summary", {}, `${idle.length} more that it may have, and nobody uses`), list(idle.map(item), "connections"));
-  const rest = those.filter((each) => !isIdle(each)).map(item);
-  return block(`${title.charAt(0).toUpperCase()}${title.slice(1)}`, rest.length > 0 && list(rest, "connections"), idle.length > 0 && more());
+    element(
+      "details",
+      {},
+      element("summary", {}, `${folded.length} ${shown.length > 0 ? "more " : ""}that it may have, and nobody is known to use`),
+      list(folded.map(item), "connections"),
+    );
+  return block(
+    `${title.charAt(0).toUpperCase()}${title.slice(1)}`,
+    shown.length > 0 && list(shown.map(item), "connections"),
+    folded.length > 0 && more(),
+  );
 }
 
 /** Each reason with the kinds that it is one for. @param {GraphNode} node */
