@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from functools import lru_cache
 from itertools import islice
+
+from launchlint.late import late
 
 _OPPOSITES = (
     ("min", "max"), ("minimum", "maximum"), ("minimal", "maximal"), ("left", "right"), ("upper", "lower"), ("top", "bottom"),
@@ -22,10 +23,10 @@ _OPPOSITES = (
 )  # fmt: skip
 """Words that take each other's place in two names for two different things."""
 _NEGATIONS = ("un", "non", "no", "not", "dis", "anti", "de")
-_WORD = re.compile(r"[^\W\d_]+")
-_BETWEEN = re.compile(r"[\s_-]+")
-_NUMBER = re.compile(r"\d+")
-_HUMP = re.compile(r"(?<=[a-z])(?=[A-Z])")
+_WORD = late(r"[^\W\d_]+")
+_BETWEEN = late(r"[\s_-]+")
+_NUMBER = late(r"\d+")
+_HUMP = late(r"(?<=[a-z])(?=[A-Z])")
 _OFF = frozenset(
     ("off", "disable", "disabled", "no", "not", "dont", "old", "orig", "original", "backup", "bak", "unused", "ignore", "ignored", "skip",
      "hide", "hidden", "todo", "comment", "commented", "deactivated", "inactive", "removed", "dead")

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 
-_PIECE = re.compile(
+from launchlint.late import late
+
+_PIECE = late(
     r"""[ \t\r\n]+
     | (?P<plain>[^ \t\r\n'"\\]+)
     | '(?P<single>[^']*)'
@@ -12,7 +14,7 @@ _PIECE = re.compile(
     | \\(?P<escaped>.)""",
     re.DOTALL | re.VERBOSE,
 )
-_IN_QUOTES = re.compile(r'\\(["\\])')
+_IN_QUOTES = late(r'\\(["\\])')
 
 
 def split_words(text: str) -> list[str]:

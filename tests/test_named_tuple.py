@@ -52,6 +52,18 @@ def test_has_its_methods_and_its_own_words() -> None:
     assert (Ours.__doc__, Ours.__module__, Ours.__qualname__) == ("A place.", __name__, "Ours")
 
 
+def test_is_made_again_with_other_values() -> None:
+    assert Ours._make([1, 2, ("a",)]) == Ours(1, 2, ("a",))
+    assert Ours(1)._asdict() == Theirs(1)._asdict()
+    for wrong in (lambda made: made._make([1]), lambda made: made(1)._replace(row=2), lambda made: made(1, row=2), lambda made: made()):
+        said = []
+        for each in (Ours, Theirs):
+            with pytest.raises((TypeError, ValueError)) as failed:
+                wrong(each)
+            said.append(str(failed.value).replace("Theirs", "Ours"))
+        assert said[0] == said[1]
+
+
 def test_travels_between_processes() -> None:
     there = pickle.loads(pickle.dumps(Ours(7)))  # noqa: S301 (what it reads is written here)
     assert there == Ours(7)

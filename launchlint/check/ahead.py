@@ -7,7 +7,6 @@ asked for.
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from launchlint.check.entry import EntryChecker
@@ -26,12 +25,12 @@ PARALLEL_FROM = 8
 """Programs from which a second process pays."""
 BATCH = 8
 """Programs of one package that one process reads at a time: they share files."""
-_NODE = re.compile(rb"<(?:node|test)\s[^<>]*>")
-_WORD = re.compile(rb"\b(pkg|type|args)\s*=\s*(?:\"([^\"$]*)\"|'([^'$]*)')")
+_NODE = late(rb"<(?:node|test)\s[^<>]*>")
+_WORD = late(rb"\b(pkg|type|args)\s*=\s*(?:\"([^\"$]*)\"|'([^'$]*)')")
 _PAIR = late(r"\b(pkg|package|exec|executable|node_executable|plugin)[\"']?\s*[=:]\s*[\"']?([\w.:+-]{1,200})")
 _NEAR = 400
 """Characters between the two that are about one node."""
-_LOADS = re.compile(r"\s*(?:load|standalone)\s+(\S+)")
+_LOADS = late(r"\s*(?:load|standalone)\s+(\S+)")
 
 
 def read_ahead(requests: Iterable[EntryRequest], checker: EntryChecker, jobs: int, progress: Progress | None) -> None:

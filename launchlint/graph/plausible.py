@@ -20,6 +20,7 @@ from launchlint.graph.connections import Doubt, Instance
 from launchlint.graph.earlier import Earlier
 from launchlint.graph.names import absolute, around
 from launchlint.graph.parameters import Parameters
+from launchlint.late import late
 from launchlint.library.terms import CATEGORIES
 from launchlint.model import Launch
 from launchlint.named_tuple import NamedTuple
@@ -43,7 +44,7 @@ _CATEGORIES: Mapping[tuple[str, bool], tuple[str, ...]] = {
 }
 """Categories of the library that offer, or use, each kind of name."""
 _ACTION = frozenset({"goal", "cancel", "status", "feedback", "result"})
-_NAME = re.compile(r"[~/]?[A-Za-z][\w/]{0,200}", re.ASCII)
+_NAME = late(r"[~/]?[A-Za-z][\w/]{0,200}", re.ASCII)
 _NO_TOPIC = "frame"
 """Params with this in their names hold coordinate frames, which are called as topics are."""
 

@@ -6,10 +6,10 @@ The index is kept under the digest of the file's content, so it can never be out
 from __future__ import annotations
 
 import gc
-import hashlib
 import json
 import os
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from zlib import crc32
 
 from launchlint import __version__
@@ -50,14 +50,19 @@ _INDEX_VERSION = 3
 
 
 class LibraryFile:
-    """The packages of one library. ``digest`` is the SHA-256 of its content; ``path`` as people see it; ``version`` of the format."""
+    """The packages of one library. ``path`` as people see it; ``digest`` of its content, or what makes it; ``version`` of the format."""
 
-    def __init__(self, path: str, digest: str, packages: Packages, version: int) -> None:
+    def __init__(self, path: str, digest: Callable[[], str], packages: Packages, version: int) -> None:
         self.path = path
-        self.digest = digest
+        self._digest = digest
         self._packages = packages
         self._serves_both = version == VERSION
         self._known: dict[tuple[str, str], Mapping[str, Any] | None] = {}
+
+    @cached_property
+    def digest(self) -> str:
+        """The SHA-256 of its content."""
+        return self._digest()
 
     def package(self, name: str, middleware: str = ROS1, *, borrowed: bool = True) -> Mapping[str, Any] | None:
         """What the library says of a package of ``middleware``: validated JSON.
@@ -96,17 +101,26 @@ def open_library(path: str, cache_directory: str | None = None) -> LibraryFile:
         LibraryError: it cannot be read, or is not a library; the message says where.
     """
     data = read(path)
-    digest = hashlib.sha256(data).hexdigest()
+    if len(data) < INDEX_PAYS:  # to import what makes its digest takes longer than to read it, and seldom is it asked for
+        document = parse(data, path)
+        return LibraryFile(path, lambda: _digest(data), _Loaded(document["packages"]), document["version"])
+    digest = _digest(data)
     index = None
-    if cache_directory is not None and len(data) >= INDEX_PAYS:
+    if cache_directory is not None:
         index = os.path.join(cache_directory, f"library-{_INDEX_VERSION}-{__version__}-{digest[:32]}.index")
         known = _Indexed.open(index, lambda: _Loaded(parse(read(path), path)["packages"]))
         if known is not None:
-            return LibraryFile(path, digest, known, known.version)
+            return LibraryFile(path, lambda: digest, known, known.version)
     document = parse(data, path)
     if index is not None:
         _write_index(index, document["packages"], document["version"])
-    return LibraryFile(path, digest, _Loaded(document["packages"]), document["version"])
+    return LibraryFile(path, lambda: digest, _Loaded(document["packages"]), document["version"])
+
+
+def _digest(data: bytes) -> str:
+    from hashlib import sha256
+
+    return sha256(data).hexdigest()
 
 
 def read(path: str) -> bytes:
@@ -256,7 +270,7 @@ class _Indexed:
                 data = mmap(file.fileno(), 0, access=ACCESS_READ)
             end = data.find(b"\n", _DIGITS + 1)
             line = data[_DIGITS + 1 : end]
-            if end < 0 or data[:_DIGITS] != hashlib.sha256(line).hexdigest().encode():
+            if end < 0 or data[:_DIGITS] != _digest(line).encode():
                 return None
             return cls(data, json.loads(line), end + 1, anew)
         except (OSError, ValueError):  # ValueError: it is empty
@@ -296,7 +310,7 @@ def _write_index(path: str, packages: Mapping[str, Any], version: int) -> None:
     try:
         os.makedirs(os.path.dirname(path), mode=0o700, exist_ok=True)
         _forget_oldest(os.path.dirname(path))
-        write_text(path, "\n".join([hashlib.sha256(head.encode()).hexdigest(), head, *lines]))
+        write_text(path, "\n".join([_digest(head.encode()), head, *lines]))
     except (OSError, UsageError):
         return
 

@@ -6,14 +6,16 @@ import json
 import re
 from collections.abc import Iterable, Sequence
 
+from launchlint.late import late
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.library.validate import Fault
 
 _DECODER = json.JSONDecoder()
-_BLANKS = re.compile(r"[ \t\n\r]*")
-_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|NaN|-?Infinity|-?[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?', re.DOTALL)
-_ESCAPE = re.compile(r"\\(?:u[dD][89abAB]..\\u[dD][c-fC-F]..|(u[dD][89a-fA-F]..)|.)", re.DOTALL)
+_BLANKS = late(r"[ \t\n\r]*")
+_TOKEN = late(r'"(?:[^"\\]|\\.)*"|NaN|-?Infinity|-?[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?', re.DOTALL)
+_ESCAPE = late(r"\\(?:u[dD][89abAB]..\\u[dD][c-fC-F]..|(u[dD][89a-fA-F]..)|.)", re.DOTALL)
 
 LONGEST_NUMBER = 4_300
 """Digits of a whole number that Python reads."""

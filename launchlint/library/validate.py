@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterator
 
+from launchlint.late import late
 from launchlint.library.condition import QUESTIONS, pattern_of
 from launchlint.library.format import (
     DEEPEST_CONDITION,
@@ -53,13 +54,13 @@ DEEPEST_VALUE = 50
 MOST_PROBLEMS = 100
 """Problems told about one library."""
 
-_NAME = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
-_TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
-_TYPE_2 = re.compile(r"[A-Za-z]\w*/(?:msg|srv|action)/[A-Za-z]\w*", re.ASCII)
-_PARAM_2 = re.compile(r"~[^\s~/{}][^\s~{}]*")
-_NODE = re.compile(r"[A-Za-z_]\w*", re.ASCII)
-_FRAME = re.compile(r"[^\s/~{}][^\s~{}]*")
-_MD5 = re.compile(r"[0-9a-f]{32}|\*")
+_NAME = late(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
+_TYPE = late(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
+_TYPE_2 = late(r"[A-Za-z]\w*/(?:msg|srv|action)/[A-Za-z]\w*", re.ASCII)
+_PARAM_2 = late(r"~[^\s~/{}][^\s~{}]*")
+_NODE = late(r"[A-Za-z_]\w*", re.ASCII)
+_FRAME = late(r"[^\s/~{}][^\s~{}]*")
+_MD5 = late(r"[0-9a-f]{32}|\*")
 
 
 class Fault(NamedTuple):

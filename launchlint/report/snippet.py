@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from unicodedata import category, east_asian_width
-
 from launchlint.finding import Location
 from launchlint.named_tuple import NamedTuple
 from launchlint.report.escape import visible
@@ -97,6 +95,8 @@ def _cells(text: str, start: int, end: int, used: int) -> list[tuple[str, int]]:
 def _columns(character: str) -> int:
     if character.isascii():
         return 1
+    from unicodedata import category, east_asian_width  # of no use to a line in ASCII
+
     if east_asian_width(character) in "WF":
         return 2
     return 0 if category(character) in ("Mn", "Me") else 1

@@ -6,9 +6,9 @@ that as a table (``Modules/pyexpat.c``, ``PyUnknownEncodingHandler``).
 
 from __future__ import annotations
 
-import re
+from launchlint.late import late
 
-_DECLARED = re.compile(rb"<\?xml[ \t\r\n][^>]*?encoding[ \t\r\n]*=[ \t\r\n]*[\"']([A-Za-z][A-Za-z0-9._-]*)")
+_DECLARED = late(rb"<\?xml[ \t\r\n][^>]*?encoding[ \t\r\n]*=[ \t\r\n]*[\"']([A-Za-z][A-Za-z0-9._-]*)")
 _UTF8 = ("utf-8", "utf-16", "utf-16le", "utf-16be")  # a declared UTF-16 in a file of single bytes is an error: shown as UTF-8
 
 

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
+from launchlint.late import late
 from launchlint.workspace.cmake import Argument
 from launchlint.workspace.cmake_conditions import constant
 
@@ -22,9 +23,9 @@ _SOURCES = (".c", ".C", ".cc", ".cpp", ".cxx", ".c++", ".cu")
 _DEEPEST_REFERENCE = 8
 _MOST_WAYS = 8
 
-_REFERENCE = re.compile(r"\$\{([^${}]*)\}")
-_ESCAPE = re.compile(r"\\(.)", re.DOTALL)
-_NAME = re.compile(r"[A-Za-z_]\w{0,99}")
+_REFERENCE = late(r"\$\{([^${}]*)\}")
+_ESCAPE = late(r"\\(.)", re.DOTALL)
+_NAME = late(r"[A-Za-z_]\w{0,99}")
 
 # Where catkin installs (catkin_destinations, GNUInstallDirs).
 _DESTINATIONS = {

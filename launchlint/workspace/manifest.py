@@ -8,10 +8,10 @@ that are looked at closely.
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Mapping
 from pyexpat import ExpatError, ParserCreate
 
+from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
 from launchlint.source import Place, Source, Span
 from launchlint.workspace.reading import read_bytes
@@ -26,7 +26,7 @@ MANIFEST_FILE = "manifest.xml"
 # A bound against hostile files.
 _LONGEST_ENTITY = 256
 
-_ENCODING = re.compile(rb"""^<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
+_ENCODING = late(rb"""^<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
 
 # What each tag stands for (catkin_pkg.package.parse_package_string). A format 1 file with exec_depend, or a format 2 file with
 # run_depend, is refused by catkin_pkg; here the author's intention counts.

@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
+from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import walk
 from launchlint.workspace.texts import texts
@@ -16,13 +17,13 @@ _OF_DOCUMENTS = frozenset(("doc", "docs", "documentation", "manual", "manuals", 
 _DOCUMENT_ENDS = ("", ".md", ".rst", ".txt", ".adoc", ".rdoc")
 _SHORTEST = 6
 # A word with an underscore, or one behind a slash (an address) or within back quotes: other words stand in documents for other reasons.
-_WORD = re.compile(r"(?<![\w-])([A-Za-z]\w*_\w*)(?![\w-])")
-_QUOTED = re.compile(r"(?:(?<=`)|(?<=\w/))([A-Za-z][\w-]{0,200})(?=`|[\s)>.\"']|$)")
+_WORD = late(r"(?<![\w-])([A-Za-z]\w*_\w*)(?![\w-])")
+_QUOTED = late(r"(?:(?<=`)|(?<=\w/))([A-Za-z][\w-]{0,200})(?=`|[\s)>.\"']|$)")
 # A variable that people are told to set.
-_EXPORTED = re.compile(r"\bexport[ \t]+([A-Za-z_]\w{0,200})=")
-_INSTALL = re.compile(r"\binstall", re.IGNORECASE)
+_EXPORTED = late(r"\bexport[ \t]+([A-Za-z_]\w{0,200})=")
+_INSTALL = late(r"\binstall", re.IGNORECASE)
 # A name alone in its line is a heading: what is documented here, perhaps under a former name.
-_HEADING = re.compile(r"^[# \t]*[\w-]+[ \t\r:]*$", re.MULTILINE)
+_HEADING = late(r"^[# \t]*[\w-]+[ \t\r:]*$", re.MULTILINE)
 
 
 class Mentions(NamedTuple):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
+from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import walk
 from launchlint.workspace.public_packages import public_names
@@ -14,7 +14,7 @@ _MOST_DIRECTORIES = 100
 _MOST_FILES = 200
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 # No grammar, a look through whole files, comments and all: what is found is only looked up in a list of public packages.
-_USED = re.compile(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bpkg\s*=\s*[\"']([A-Za-z][\w-]*)[\"']")
+_USED = late(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bpkg\s*=\s*[\"']([A-Za-z][\w-]*)[\"']")
 _ROS_1 = ("electric", "fuerte", "groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
 
 

@@ -7,11 +7,14 @@ signs only (see :mod:`launchlint.yaml.tree`).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from launchlint.named_tuple import NamedTuple
 from launchlint.yaml.refusals import YamlError, explain, is_too_deep
 from launchlint.yaml.tree import YamlBeyond
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 SCALAR, ALIAS, SEQUENCE_START, SEQUENCE_END, MAPPING_START, MAPPING_END = range(6)
 

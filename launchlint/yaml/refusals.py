@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-import re
-from typing import Any
+from launchlint.late import late
 
-COLON = re.compile(r"[A-Za-z_][\w./~-]*:(?![:/\\])\S")
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+COLON = late(r"[A-Za-z_][\w./~-]*:(?![:/\\])\S")
 """A ``key:value`` without the blank."""
 
 

@@ -9,10 +9,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection
-from typing import Any
 
+from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
 from launchlint.yaml.refusals import COLON, YamlError, explain, is_too_deep
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 SCALAR, SEQUENCE, MAPPING = range(3)
 
@@ -20,9 +24,9 @@ STR, SEQ, MAP = "tag:yaml.org,2002:str", "tag:yaml.org,2002:seq", "tag:yaml.org,
 
 # Where the two parsers differ: line ends other than LF and CR, a byte order mark, characters that are not printable, directives, a
 # comment right behind "|" or ">"; and outside comments tabs, tags, and "?" in brackets.
-_DIFFERENT = re.compile(r"[\0-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]|^%|[|>][-+\w]*#", re.MULTILINE)
-_DIFFERENT_OUTSIDE_COMMENTS = re.compile(r"[\t!?]")
-_COMMENT = re.compile(r"^((?:[^\n\"'#]*[ \t])?)#[^\n]*", re.MULTILINE)
+_DIFFERENT = late(r"[\0-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]|^%|[|>][-+\w]*#", re.MULTILINE)
+_DIFFERENT_OUTSIDE_COMMENTS = late(r"[\t!?]")
+_COMMENT = late(r"^((?:[^\n\"'#]*[ \t])?)#[^\n]*", re.MULTILINE)
 
 
 class YamlBeyond(Exception):

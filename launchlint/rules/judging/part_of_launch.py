@@ -6,7 +6,6 @@ import posixpath
 
 from launchlint.graph.names import kind
 from launchlint.model import ROS2
-from launchlint.rules.judging.idle_test import naming
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,6 +45,8 @@ def _is_global(end: Endpoint) -> bool:
 
 def _is_included(view: GraphView) -> bool:
     """Whether another launch file of its package names the entry file."""
+    from launchlint.rules.judging.idle_test import naming
+
     file = view.launch.entry.file
     home = view.packages.colcon.package_of(file)
     name = posixpath.basename(file)

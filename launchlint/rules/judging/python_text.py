@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ast
-
 from launchlint.finding import Edit, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import Edits
@@ -59,6 +57,8 @@ def around(place: Place, left: str, right: str) -> Edits:
 
 def literal(place: Place) -> object:
     """The value of what is written at ``place``, if it is a literal of Python; ``...`` where it is none."""
+    import ast
+
     try:
         return ast.literal_eval(place.text)
     except (ValueError, SyntaxError, RecursionError, MemoryError, TypeError):
@@ -67,6 +67,8 @@ def literal(place: Place) -> object:
 
 def is_one_operand(place: Place) -> bool:
     """Whether an attribute can be written behind what stands at ``place``: a name, a call, a dict, and no operator."""
+    import ast
+
     try:
         tree = ast.parse(place.text.strip(), mode="eval").body
     except (ValueError, SyntaxError, RecursionError, MemoryError):

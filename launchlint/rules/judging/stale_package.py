@@ -8,7 +8,6 @@ from functools import lru_cache
 
 from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
-from launchlint.rules.judging.left_out import SETUP_ASSISTANT
 from launchlint.rules.judging.package_contents import contents
 from launchlint.spelling import folded
 from launchlint.syntax.ros1.substitutions import parse_again
@@ -96,6 +95,8 @@ def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[s
         return ()
     if _asked_elsewhere(name, home, near):
         return ()
+    from launchlint.rules.judging.left_out import SETUP_ASSISTANT
+
     if is_file(posixpath.join(home.directory, SETUP_ASSISTANT)):
         return files
     wraps = not home.name.endswith(_GENERATED) and any(file.endswith(_LAUNCH_ENDS) for file in files)

@@ -7,16 +7,16 @@ The sum is that of the constants and fields without comments, in which the sum o
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator
 
+from launchlint.late import late
 from launchlint.rules.judging.same_definition import STANDARD, stands_for
 from launchlint.workspace.looking import content, is_file
 from launchlint.workspace.packages import Packages
 
 _END = {"topic": "msg", "service": "srv", "action": "action"}
-_CONSTANT = re.compile(r"\s*([\w/]+)\s+(\w+)\s*=\s*(.*)")
-_FIELD = re.compile(r"\s*([\w/]+)(\[\d*\])?\s+(\w+)\s*(?:#.*)?$")
+_CONSTANT = late(r"\s*([\w/]+)\s+(\w+)\s*=\s*(.*)")
+_FIELD = late(r"\s*([\w/]+)(\[\d*\])?\s+(\w+)\s*(?:#.*)?$")
 _BUILTIN = frozenset("bool byte char int8 uint8 int16 uint16 int32 uint32 int64 uint64 float32 float64 string time duration".split())
 _MOST_NESTED = 20
 _MOST_LINES = 2_000

@@ -89,10 +89,6 @@ from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.plural import listed
 from launchlint.rules.judging.copies import first_of_name
-from launchlint.rules.judging.idle_test import naming, why_idle
-from launchlint.rules.judging.kept_twice import told_of_copies
-from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
-from launchlint.rules.judging.metapackages import members
 from launchlint.rules.judging.missing_package import is_placeholder
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
@@ -103,10 +99,8 @@ from launchlint.source import Place, Source, Span
 from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document, Element
-from launchlint.workspace.build_order import ways_to
 from launchlint.workspace.looking import Looked, is_file, note, watched
 from launchlint.workspace.public_packages import public_names
-from launchlint.workspace.releases import never_released
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -174,6 +168,9 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     if contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
         return
+    from launchlint.rules.judging.idle_test import why_idle
+    from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
+
     missing = [name for name in missing if own_instead(name, document.source.text, packages, file) is None]  # LL210 and LL303 tell
     place = _place(manifest, root_of(document.source))
     extra = is_file(posixpath.join(home.directory, SETUP_ASSISTANT)) and _is_extra(file, home, packages)
@@ -226,6 +223,8 @@ def _is_extra(file: str, home: Package, packages: Packages) -> bool:
     name = posixpath.basename(file)
     if name != _CONTROLLERS:
         return _GENERATED_EXTRA.fullmatch(name) is not None
+    from launchlint.rules.judging.idle_test import naming
+
     return all(_GENERATED_EXTRA.fullmatch(posixpath.basename(each)) for each in naming(name, home, packages))
 
 
@@ -259,6 +258,8 @@ def _doubts(name: str, later: Mapping[str, Way], manifest: Manifest, packages: P
     doubts = [_LATER.format(name, "declares", "its", "it")] if name in later else []
     if manifest.is_ament:
         return doubts  # what was released for which distribution, the lists of ROS 1 say
+    from launchlint.workspace.releases import never_released
+
     named = {each.lower() for text in _CONDITION.findall(manifest.source.text) for each in _DISTRIBUTION.findall(text)}
     meant = named | packages.distributions().meant
     lacking = sorted(each for each in meant or _RECENT if never_released((name,), each))
@@ -285,6 +286,8 @@ class _Ways:
     def to(self, name: str, packages: Packages) -> tuple[dict[str, Way], dict[str, Way]]:
         """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too."""
         if self._name != name:
+            from launchlint.workspace.build_order import ways_to
+
             self._name = name
             self._found, self._looked = watched(lambda: (ways_to(name, packages), ways_to(name, packages, lacking=True)))
         note(self._looked)
@@ -335,6 +338,8 @@ def together(findings: Sequence[Finding]) -> Finding:
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for packages that lack the same, and for those that are kept twice."""
+    from launchlint.rules.judging.kept_twice import told_of_copies
+
     return told_of_copies(findings)
 
 
@@ -466,6 +471,8 @@ def _is_test_of_ros2(document: Document, home: Package) -> bool:
 
 def _with_what_they_declare(names: set[str], packages: Packages, near: str) -> set[str]:
     """``names``, and all that they need to run, as far as they can be seen here; of well-known metapackages the members."""
+    from launchlint.rules.judging.metapackages import members
+
     reached: set[str] = set()
     waiting = sorted(names)
     here = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]

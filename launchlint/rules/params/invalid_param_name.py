@@ -42,6 +42,7 @@ from launchlint.evaluate.names import is_legal
 from launchlint.evaluate.problems import InvalidParamName
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
+from launchlint.late import late
 from launchlint.model import ParameterSetting
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
@@ -52,7 +53,7 @@ UNREADABLE = "roslaunch sets it, but a C++ node that asks for it ends with an In
 PERHAPS = "roslaunch sets it, and a Python node can read it; a C++ node that asks for it ends with an InvalidNameException"
 NAMELESS = "roslaunch gives the value to the namespace itself, so that all parameters in it are in danger"
 CPP = ("roscpp", "nodelet")
-_ILLEGAL = re.compile(r"[^A-Za-z0-9_/~]+", re.ASCII)
+_ILLEGAL = late(r"[^A-Za-z0-9_/~]+", re.ASCII)
 
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:

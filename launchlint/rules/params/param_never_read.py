@@ -58,7 +58,6 @@ from launchlint.model import ROS2, ParameterSetting
 from launchlint.rules.edits import Edits, fix, set_value, spot
 from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.judging.params_read import UNIVERSAL, declared_by
-from launchlint.rules.judging.ros2_params import never_declared
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.spelling import closest, one_slip
@@ -80,6 +79,8 @@ _MOST_NAMES = 8
 def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every param that is private to a node."""
     if view.dialect.name == ROS2:
+        from launchlint.rules.judging.ros2_params import never_declared
+
         yield from never_declared(RULE, view)
         return
     graph = view.graph

@@ -49,7 +49,6 @@ from launchlint.graph.connections import Instance, Reading
 from launchlint.late import late
 from launchlint.model import ROS2, Launch, ParameterSetting
 from launchlint.rules.judging.param_values import is_certain, is_known, shown
-from launchlint.rules.judging.ros2_params import WORDS, beyond, fate, given, is_integer_for_double, is_of_old, is_refused
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -102,6 +101,8 @@ def check(view: GraphView) -> Iterator[Finding]:
 
 def _refused(view: GraphView) -> Iterator[Finding]:
     """In ROS 2: values that a node refuses when it declares the param (rclcpp::Node::declare_parameter)."""
+    from launchlint.rules.judging.ros2_params import WORDS, beyond, fate, given, is_integer_for_double, is_of_old, is_refused
+
     for each in given(view):
         name, program = each.instance.name, each.instance.program
         allowed = beyond(each)

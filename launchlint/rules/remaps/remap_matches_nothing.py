@@ -69,7 +69,6 @@ from launchlint.rules.judging.name_places import is_inside
 from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
 from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.own_names import OwnNames, own_names
-from launchlint.rules.judging.ros2_remaps import in_vain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
@@ -115,6 +114,8 @@ class _Advice:
 def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every remap of every node that the library knows completely."""
     if view.dialect.name == ROS2:
+        from launchlint.rules.judging.ros2_remaps import in_vain
+
         yield from in_vain(RULE, view, absolute=False)
         return
     missed: dict[tuple[str, int, str], list[_Miss]] = {}
