@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.named_tuple import NamedTuple
-from launchlint.yaml.refusals import YamlError, explain, is_too_deep
+from launchlint.yaml.refusals import YamlError, explain, too_deep
 from launchlint.yaml.tree import YamlBeyond
 
 TYPE_CHECKING = False
@@ -71,8 +71,8 @@ def read(text: str, reader: str, longest: int = 8_000_000, deepest: int = 1_000)
                 depth -= 1
             yield Event(kind, start, end, event.anchor if kind == ALIAS else "")
     except yaml.YAMLError as error:
-        if is_too_deep(error):
-            raise YamlBeyond(f"the YAML text is nested more than {deepest} deep", error.problem_mark.index) from None
+        if (offset := too_deep(error)) is not None:
+            raise YamlBeyond(f"the YAML text is nested more than {deepest} deep", offset) from None
         raise explain(error, text, reader) from None
     finally:
         parser.dispose()

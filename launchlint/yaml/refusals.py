@@ -56,9 +56,10 @@ _PLAIN_WORDS = (
 )
 
 
-def is_too_deep(error: Any) -> bool:
-    """Whether libyaml refuses a text for its depth alone: since version 0.2.6 it does, and so far ahead that nothing before is told."""
-    return "exceeded maximum nesting depth" in str(getattr(error, "problem", None))
+def too_deep(error: Any) -> int | None:
+    """Where libyaml refuses a text for its depth alone, as it does since version 0.2.6, before it says what comes first; else None."""
+    is_depth = "exceeded maximum nesting depth" in str(getattr(error, "problem", None))
+    return int(error.problem_mark.index) if is_depth else None
 
 
 def explain(error: Any, text: str, reader: str) -> YamlError:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Collection
 
 from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
-from launchlint.yaml.refusals import COLON, YamlError, explain, is_too_deep
+from launchlint.yaml.refusals import COLON, YamlError, explain, too_deep
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -123,7 +123,7 @@ def parse(text: str, reader: Reader) -> Tree:
     try:
         return _Builder(yaml, (yaml.SafeLoader if reader.pure or not fast else yaml.CSafeLoader)(text), text, reader).build()
     except yaml.YAMLError as error:
-        if is_too_deep(error):
+        if too_deep(error) is not None:
             return _Builder(yaml, yaml.SafeLoader(text), text, reader).build()  # says where it comes to be too deep
         raise explain(error, text, reader.name) from None
 
