@@ -14,7 +14,7 @@ from launchlint.syntax.parse import parse
 from launchlint.workspace.discovery import holds_python
 from launchlint.workspace.looking import Looked, exists, note, watched
 from launchlint.workspace.packages import Packages
-from launchlint.workspace.ros2_distributions import Meant, distribution
+from launchlint.workspace.ros2_distributions import Meant, distribution, set_up
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -301,7 +301,7 @@ class Session:
         outside = Outside(
             self.meant,
             lambda name: colcon.find(name, file),
-            self.environment,
+            {**set_up(self.meant), **self.environment},
             variables.add,
             inside,
             lambda: self._fresh(file),
@@ -331,6 +331,11 @@ class Session:
     def find_package(self, name: str, near: str) -> str | None:
         """Directory of package ``name`` as seen from the entry file ``near``; None where it is not here."""
         return self.packages.find(name, near)
+
+    def ros2_variable(self, name: str) -> str | None:
+        """Value of the environment variable ``name``, if it is set where launch files of ROS 2 are started."""
+        found = self.variable(name)
+        return set_up(self.meant).get(name) if found is None and name.startswith("ROS_") else found
 
     def variable(self, name: str) -> str | None:
         """Value of the environment variable ``name``, if it is set."""

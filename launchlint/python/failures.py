@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 
+from launchlint.named_tuple import NamedTuple
 from launchlint.python.memory import Ended
 from launchlint.python.values import Class, External, Failure, Instance, Seq, Value, alternatives
 
@@ -28,15 +29,21 @@ _BASES = {
 """Classes of exceptions outside of Python's builtins, with the class that they are made of."""
 
 
+class Asked(NamedTuple):
+    """What a program asks for and what is not here: the ``name`` of a substitution that asks for the same, and its ``word``."""
+
+    name: str
+    word: str
+
+
 class Raised(Ended):
     """The followed program raises an exception: a :class:`Failure`, or an object of a followed class.
 
     ``stated``: it says so itself, by ``raise`` or ``assert``. ``where`` is the innermost piece of the program that raises it, with its
-    scope, where that is known; ``asked`` what was asked for and is not there: the name of a substitution that asks for the same, and its
-    word.
+    scope, where that is known; ``asked`` what was asked for and is not there.
     """
 
-    def __init__(self, value: Value, *, stated: bool = False, asked: tuple[str, str] | None = None) -> None:
+    def __init__(self, value: Value, *, stated: bool = False, asked: Asked | None = None) -> None:
         super().__init__(said(value))
         self.value = value
         self.stated = stated

@@ -53,6 +53,11 @@ def distribution(said: str, variables: Mapping[str, str], named: Callable[[], Ma
     return Meant(READ_AS[listed[-1]], listed, found[listed[-1]])
 
 
+def set_up(meant: Meant) -> dict[str, str]:
+    """What the set-up script of a distribution sets, whatever machine it is run on (the package ros_environment)."""
+    return {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": meant.named[-1] if meant.named else meant.name}
+
+
 def environment_is_for(variables: Mapping[str, str]) -> DialectName | None:
     """The dialect whose set-up script has made this environment (REP 149); None where none has."""
     version = variables.get("ROS_VERSION", "")

@@ -72,7 +72,7 @@ class Environment:
 
     def get(self, name: str) -> Value | None:
         """The value of a variable, None where it is not set."""
-        return self.changes[name] if name in self.changes else self.session.variable(name)
+        return self.changes[name] if name in self.changes else self.session.ros2_variable(name)
 
     def set(self, name: str, value: Value | None) -> None:
         """Set a variable, or unset it."""

@@ -247,3 +247,33 @@ def test_a_function_is_followed_however_often_launches_have_called_it(tmp_path: 
     session = workspace.session()
     for _ in range(6):
         assert evaluate(session, str(workspace.launch_files / "main.launch.py")).launch.complete
+
+
+SHARE = "from ament_index_python.packages import get_package_share_directory\n"
+
+
+@pytest.mark.parametrize("asked", ["get_package_share_directory('nowhere')", "os.environ['NOWHERE']", "context.environment['NOWHERE']"])
+def test_behind_what_is_not_here_a_function_goes_on(tmp_path: Path, asked: str) -> None:
+    before = f"{SHARE}def setup(context):\n    asked = {asked}\n    return [node('first'), node(asked + '_second')]\n"
+    launch = launched(tmp_path, described("OpaqueFunction(function=setup), node('third')", before))
+    first, second, third = launch.nodes
+    assert (first.name, third.name) == ("first", "third")
+    assert "name" in second.unknown
+    assert launch.refused is not None
+    assert launch.refused.kind == ("package-not-found" if "share" in asked else "env-unset")
+    assert launch.refused.place.text == asked
+
+
+def test_launch_stops_at_what_is_not_here_before_it_executes_anything(tmp_path: Path) -> None:
+    before = f"{SHARE}WHERE = get_package_share_directory('nowhere')\n"
+    launch = launched(tmp_path, described("node('a'), LogInfo(msg=LaunchConfiguration('nothing'))", before))
+    assert names(launch) == ["a"]
+    assert [problem.kind for problem in launch.problems if problem.refused] == ["package-not-found", "undeclared-arg"]
+    assert launch.refused is launch.problems[0]
+
+
+@pytest.mark.parametrize("spelled", ["os.environ['ROS_DISTRO']", "os.environ.get('ROS_DISTRO')", "EnvironmentVariable('ROS_DISTRO')"])
+def test_the_distribution_is_in_the_environment(tmp_path: Path, spelled: str) -> None:
+    workspace = Workspace(tmp_path, "", {"main.launch.py": HEAD + described(f"node({spelled})")})
+    launch = evaluate(workspace.session(distro="humble"), str(workspace.launch_files / "main.launch.py")).launch
+    assert (names(launch), launch.refused) == (["humble"], None)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.problem import Problem
-from launchlint.python.failures import Raised, said
+from launchlint.python.failures import Asked, Raised, said
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Substitution, Text
@@ -27,8 +27,7 @@ def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool
     """
     place, related = _places(raised, run, everything)
     if raised.asked is not None:
-        name, word = raised.asked
-        return (described.Log(Text((Substitution(name, (Text((word,), place),), place),), place), None, place),)
+        return (asks(raised.asked, place),)
     error, _, what = said(raised.value).partition(": ")
     if not raised.stated and error not in _CERTAIN:
         return ()
@@ -37,6 +36,11 @@ def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool
         package=run.missing_package if raised.stated else "", variable=run.missing_variable if raised.stated else "",
     )  # fmt: skip
     return (described.Fails(problem, place),)
+
+
+def asks(asked: Asked, place: Place) -> Action:
+    """What stands for a program that asks for what may not be here: launch stops there, unless it is."""
+    return described.Log(Text((Substitution(asked.name, (Text((asked.word,), place),), place),), place), None, place)
 
 
 def _places(raised: Raised, run: Noticing, everything: Place) -> tuple[Place, tuple[tuple[Place, str], ...]]:

@@ -6,7 +6,7 @@ import ast
 import os
 from collections.abc import Callable, Sequence
 
-from launchlint.python.failures import Raised
+from launchlint.python.failures import Asked, Raised
 from launchlint.python.memory import ENDED, Ended
 from launchlint.python.values import (
     COMPLETE,
@@ -33,6 +33,7 @@ from launchlint.syntax.ros2.python.files import FILE
 from launchlint.syntax.ros2.python.noticing import Noticing
 from launchlint.syntax.ros2.python.paths import is_path, spelled
 from launchlint.syntax.ros2.python.recogniser import PACKAGES, LaunchRecogniser, Outside
+from launchlint.syntax.ros2.python.running import VARIABLES
 from launchlint.syntax.ros2.python.workspace_modules import WorkspaceModules
 from launchlint.workspace import looking
 
@@ -107,7 +108,12 @@ class Following(Noticing):
         try:
             value = super().evaluate(node, scope)
         except Raised as raised:
-            if node is not None and (not raised.where or raised.where[-1][1].module is not scope.module):
+            if node is None:
+                raise
+            if raised.asked is not None and not raised.where and not self.catching:
+                self.asks(raised.asked, self.place(node, scope))
+                return self.known.texts.stand_in(raised.asked)
+            if not raised.where or raised.where[-1][1].module is not scope.module:
                 raised.where.append((node, scope))
             raise
         if not isinstance(value, Unknown) or node is None:
@@ -138,11 +144,17 @@ class Following(Noticing):
     def item(self, value: Value, index: Value) -> Value:
         """``value[index]``; one that is not there ends the program."""
         if value is self.known.environment and isinstance(index, str) and index not in value.entries and value.is_sure:
-            raise Raised(Failure(External("builtins.KeyError"), (index,)), asked=("env", index))
+            raise self._unset(index)
         if isinstance(value, Handle) and not isinstance(index, Choice):
             found = self.known.running.item(value, index)
+            if found is MISSING and value.kind == VARIABLES and isinstance(index, str):
+                raise self._unset(index)
             return self.fails("KeyError", index) if found is MISSING else found
         return super().item(value, index)
+
+    @staticmethod
+    def _unset(variable: str) -> Raised:
+        return Raised(Failure(External("builtins.KeyError"), (variable,)), asked=Asked("env", variable))
 
     def _set_item(self, owner: Value, index: Value, value: Value) -> None:
         if isinstance(owner, Handle):

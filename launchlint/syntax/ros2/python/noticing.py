@@ -6,11 +6,14 @@ import ast
 from collections.abc import Sequence
 
 from launchlint.problem import Problem
+from launchlint.python.failures import Asked
 from launchlint.python.interpreter import Interpreter
 from launchlint.python.recogniser import Recogniser
 from launchlint.python.values import Handle, Scope, Value
 from launchlint.python.walking import walk
 from launchlint.source import Origin, Place
+from launchlint.syntax.ros2.description import Action
+from launchlint.syntax.ros2.python.ending import asks
 from launchlint.syntax.ros2.python.idle import idle
 from launchlint.syntax.ros2.python.problems import ConfigurationAsPythonValue
 from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS
@@ -32,6 +35,7 @@ class Noticing(Interpreter):
         self.problems: list[Problem] = []
         self.missing_package = ""  # the first that the program asked for and that is not here
         self.missing_variable = ""  # likewise of the environment, one that is not set
+        self.asking: dict[Asked, Place] = {}  # what it asked for and would have stopped without, each with the first place
         self._told: set[tuple[type, tuple[str, int], str]] = set()
         self._caught = 0
         self._catching: set[int] = set()
@@ -52,9 +56,31 @@ class Noticing(Interpreter):
         if key in self._told:
             return
         self._told.add(key)
-        if self.conditions or len(self._logs) > self.kept or self._caught:
+        if not self._is_certain():
             problem = problem.but(refused=False, assumed=True)
         self.problems.append(problem)
+
+    def asks(self, asked: Asked, place: Place) -> None:
+        """Note that the program stops without what it asks for here; where it may not get here, no more than that is known.
+
+        What it would do if it had that is followed all the same, as it is in XML and YAML: who reads launch files need not have what they
+        are started with.
+        """
+        if self._is_certain():
+            self.asking.setdefault(asked, place)
+        else:
+            self.risks += 1
+
+    def asked(self, before: int) -> tuple[Action, ...]:
+        """What stands for that which was asked for since ``before`` things were; it is noted again when it is asked for again."""
+        found = list(self.asking.items())[before:]
+        for asked, _ in found:
+            del self.asking[asked]
+        return tuple(asks(*each) for each in found)
+
+    def _is_certain(self) -> bool:
+        """Whether the program gets where it is for certain, and an exception would end it."""
+        return not (self.conditions or len(self._logs) > self.kept or self._caught)
 
     def noticed(self, before: int) -> list[Problem]:
         """What was noted since there were ``before`` problems; it is noted again when it is met again."""

@@ -63,11 +63,13 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
     run = Following(source, outside, root, package, WorkspaceModules(outside.share))
     try:
         actions = _actions(run, source, outside, parsed)
+        actions = (*run.asked(0), *actions)
     except Ended as ended:
         if isinstance(ended, Ending):
             run.record(ended.problem)
         stops = actions_of(ended, run, everything, called=False) if isinstance(ended, Raised) else ()
         actions = (
+            *run.asked(0),
             *stops,
             described.Open(f"it ends with an error{f': {ended}' if str(ended) else ''}", everything),
         )

@@ -9,7 +9,7 @@ from typing import Any
 
 from launchlint.python import builtins, standard
 from launchlint.python.call import Call
-from launchlint.python.failures import Raised
+from launchlint.python.failures import Asked, Raised
 from launchlint.python.letter import LATER
 from launchlint.python.values import (
     COMPLETE,
@@ -258,12 +258,17 @@ class LaunchRecogniser:
         if not isinstance(package, str):
             return Unknown("which package it is, is not known", place)
         directory = self._outside.share(package)
+        prefix = f"/opt/ros/{self._outside.distro}"
         if directory is None:
             self._run.missing_package = self._run.missing_package or package
-            missing = Failure(External("ament_index_python.packages.PackageNotFoundError"), (f"the package {package} is not here",))
-            raise Raised(missing, asked=("find-pkg-share", package))
+            asked = Asked("find-pkg-share", package)
+            if self._run.catching:
+                missing = Failure(External("ament_index_python.packages.PackageNotFoundError"), (f"the package {package} is not here",))
+                raise Raised(missing, asked=asked)
+            self._run.asks(asked, place)
+            directory = f"{prefix}/share/{package}"
         if not shared:
-            return f"/opt/ros/{self._outside.distro}"
+            return prefix
         self.shares[directory] = package
         return directory
 

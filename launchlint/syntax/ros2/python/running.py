@@ -226,7 +226,7 @@ class Caller:
         context = self._running.context()
         positional = [context if isinstance(each, Handle) and each.kind == "context" else each for each in given]
         assert self.maker is not None
-        before, risks = len(run.problems), run.risks
+        before, risks, asked = len(run.problems), run.risks, len(run.asking)
         try:
             made = run.call(function, positional, dict(keywords), ast.Pass(lineno=1, col_offset=0), self._scope)
             if isinstance(made, Seq):
@@ -235,16 +235,17 @@ class Caller:
             risky = (
                 (described.Unsettled("what a function asks of code that is not looked into may fail", place),) if run.risks > risks else ()
             )
-            return (*(described.Fails(problem, problem.place) for problem in run.noticed(before)), *risky, *actions)
+            return (*run.asked(asked), *(described.Fails(problem, problem.place) for problem in run.noticed(before)), *risky, *actions)
         except Ending as ending:
             raise Stopped(ending.problem) from None
         except Ended as ended:
             found = [described.Fails(problem, problem.place) for problem in run.noticed(before) if problem.refused]
             if found:
-                return tuple(found)
+                return (*run.asked(asked), *found)
             lacking = self._running.lacking
             stops = actions_of(ended, run, place, called=True, lacking=lacking) if isinstance(ended, Raised) else ()
             return (
+                *run.asked(asked),
                 *stops,
                 described.Open(f"the function ends with an error{f': {ended}' if str(ended) else ''}", place),
             )
@@ -268,11 +269,11 @@ class Caller:
         self._begin(live)
         self._running.live = live
         node = ast.Pass(lineno=1, col_offset=0)
-        before, steps = run.risks, run.steps
+        before, steps, asked = run.risks, run.steps, len(run.asking)
         assert self.maker is not None
         try:
             made = run.call(run.attribute(value, "perform", node, self._scope), [self._running.context()], {}, node, self._scope)
-            if run.risks > before:
+            if run.risks > before or run.asked(asked):
                 live.unsettle()
             return live.perform(self.maker.texts.text(made, place))
         except Ending as ending:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from launchlint.model import StandIn
+from launchlint.python.failures import Asked
 from launchlint.python.values import SIGNS, Choice, Class, External, Handle, Instance, Map, Seq, Unknown, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
@@ -84,12 +85,13 @@ class Texts:
     def __init__(self, shares: Mapping[str, str]) -> None:
         self._shares = shares
         self.gives: Callable[[Instance, Place], described.Gives] | None = None
-        self._stand_ins: list[StandIn] = []
+        self._stand_ins: list[StandIn | Asked] = []
 
-    def stand_in(self, found: StandIn) -> Open:
-        """A text that stands for what is not known, as a string of the program."""
-        self._stand_ins.append(found)
-        return Open(f"{SIGNS[0]}{{stand-in:{len(self._stand_ins) - 1}}}")
+    def stand_in(self, found: StandIn | Asked) -> Open:
+        """A text that stands for what is not known, or not here, as a string of the program."""
+        if not isinstance(found, Asked) or found not in self._stand_ins:
+            self._stand_ins.append(found)
+        return Open(f"{SIGNS[0]}{{stand-in:{self._stand_ins.index(found)}}}")
 
     def text(self, value: Value, place: Place) -> Text:
         """The text that a value stands for."""
@@ -156,7 +158,10 @@ class Texts:
             at = match.end()
             if match[1] and int(match[1]) < len(self._stand_ins):
                 one = self._stand_ins[int(match[1])]
-                found.append(Substitution(NOT_KNOWN, (Text((one.reason,), place), Text((one.text,), place)), place))
+                if isinstance(one, Asked):
+                    found.append(Substitution(one.name, (Text((one.word,), place),), place))
+                else:
+                    found.append(Substitution(NOT_KNOWN, (Text((one.reason,), place), Text((one.text,), place)), place))
             elif match[0] in ("{{", "}}"):
                 found.append(match[0][0])
             else:
