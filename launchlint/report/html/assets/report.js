@@ -644,6 +644,7 @@ ${counted(about.nodes, "node")}`;
   var DOWNWARDS = 4;
   var GAIN = 0.9;
   var ROWS = [1, 0.4];
+  var ROWS_ANYWHERE = [0.75, 0.5];
   var KEPT = 600;
   var OPTIONS = {
     "elk.algorithm": "layered",
@@ -688,11 +689,18 @@ ${counted(about.nodes, "node")}`;
     });
     let best = asPlaced(await engine.layout(root()), names2);
     if (!part2.ports.length) {
+      const inRows2 = async (cutting, ratio, anywhere) => {
+        const rows2 = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": cutting, "elk.aspectRatio": String(ratio * screen.aspect) };
+        const tried = straightened(asPlaced(await engine.layout(root({ ...rows2, "elk.layered.wrapping.multiEdge.improveCuts": String(!anywhere) })), names2));
+        if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
+      };
       for (const ratio of ROWS) {
         if (best.width <= Math.min(LONG, screen.width) || best.width < WIDER * screen.aspect * best.height && !isNarrow(screen)) break;
-        const rows2 = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * screen.aspect) };
-        const tried = asPlaced(await engine.layout(root(rows2)), names2);
-        if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
+        await inRows2("ARD", ratio, false);
+      }
+      for (const ratio of ROWS_ANYWHERE) {
+        if (best.width <= screen.width && best.height <= screen.width / screen.aspect) break;
+        await inRows2("MSD", ratio, true);
       }
     }
     return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names2);
@@ -705,10 +713,33 @@ ${counted(about.nodes, "node")}`;
     return width < LONG;
   }
   function isStraight({ edges }) {
-    return Array.from(edges.values()).every(({ points }) => points.every((point, at) => {
+    return Array.from(edges.values()).every(({ points }) => isRight(points));
+  }
+  function isRight(points) {
+    return points.every((point, at) => {
       const next = points[at + 1];
       return !next || Math.abs(next.x - point.x) < 0.5 || Math.abs(next.y - point.y) < 0.5;
-    }));
+    });
+  }
+  function straightened(placed) {
+    for (const line4 of placed.edges.values()) {
+      const [first, last] = [line4.points[0], line4.points[line4.points.length - 1]];
+      if (!first || !last) continue;
+      const isLevel = !isRight(line4.points) && isRight([first, last]);
+      if (isLevel && !Array.from(placed.boxes.values()).some((box2) => isThrough(box2, first, last))) line4.points = [first, last];
+      line4.junctions = line4.junctions.filter((junction) => isOn(line4.points, junction));
+    }
+    return placed;
+  }
+  function isOn(points, { x, y }) {
+    return points.some((from, at) => {
+      const to = points[at + 1] ?? from;
+      return x > Math.min(from.x, to.x) - 1 && x < Math.max(from.x, to.x) + 1 && y > Math.min(from.y, to.y) - 1 && y < Math.max(from.y, to.y) + 1;
+    });
+  }
+  function isThrough(box2, from, to) {
+    const [left, right] = [Math.min(from.x, to.x), Math.max(from.x, to.x)];
+    return from.y > box2.y && from.y < box2.y + box2.height && left < box2.x + box2.width - 0.5 && right > box2.x + 0.5;
   }
   var Names = class {
     constructor() {
@@ -1488,14 +1519,14 @@ ${counted(about.nodes, "node")}`;
       });
     }
     const way = grid.search(start2, end, room.height);
-    return straightened([from, ...way ?? [start2, { x: start2.x, y: bottom }, { x: end.x, y: bottom }, end], to]);
+    return straightened2([from, ...way ?? [start2, { x: start2.x, y: bottom }, { x: end.x, y: bottom }, end], to]);
   }
   function ticks(from, to, more) {
     const found2 = new Set(more);
     for (let at = from; at <= to; at += STEP3) found2.add(at);
     return [...found2].sort((a, b) => a - b);
   }
-  function straightened(points) {
+  function straightened2(points) {
     return points.filter((point, at) => {
       const [last, next] = [points[at - 1], points[at + 1]];
       return !last || !next || !(last.x === point.x && point.x === next.x || last.y === point.y && point.y === next.y);

@@ -55,6 +55,14 @@ USED = """() => {
   return Math.max((right - left) / frame.width, (bottom - top) / frame.height);
 }"""
 
+CUT = """() => {
+  const frame = document.querySelector("#drawing > svg").getBoundingClientRect();
+  const boxes = [...document.querySelectorAll("#drawing > svg .box")].map((each) => each.getBoundingClientRect());
+  const beyond = (box) => Math.max(frame.left - box.left, box.right - frame.right, frame.top - box.top, box.bottom - frame.bottom);
+  return boxes.filter((box) => beyond(box) > 1).length;
+}"""
+"""Boxes of which a part is beyond the edge."""
+
 
 @pytest.mark.parametrize("size", [(1440, 900), (1920, 1080)])
 def test_every_name_of_the_example_can_be_read_and_it_fills_the_stage(open_report, size):
@@ -115,3 +123,21 @@ def test_sides_fold_and_keep_their_width(open_report):
     drawn(page)
     assert page.locator("#tree").bounding_box()["width"] == 280
     assert page.locator("#panel").is_hidden()
+
+
+@pytest.mark.corpus
+def test_nodes_in_a_circle_stand_in_as_many_rows_as_can_be_read(browser: Browser, tmp_path: Path) -> None:
+    directory, launch = (
+        Path(str(find_corpus())) / "ros1/HKUST-Aerial-Robotics+Fast-Planner",
+        "fast_planner/plan_manage/launch/kino_replan.launch",
+    )
+    target = tmp_path / "report.html"
+    write_report(directory, target, launch, "--workspace", ".")
+    page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
+    page.goto(target.as_uri())
+    drawn(page)
+    assert page.locator("#drawing > svg .box.node").count() == 9
+    assert page.evaluate(SMALLEST) >= 9
+    assert page.evaluate(OVERLAPPING) == []
+    assert page.evaluate(CUT) == 0
+    page.close()

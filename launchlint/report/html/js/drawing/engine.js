@@ -55,6 +55,8 @@ const DOWNWARDS = 4;
 const GAIN = 0.9;
 /** Forms of rows that are tried: width by height, against the screen's. */
 const ROWS = [1, 0.4];
+/** The same where names are still too small to be read: there rows end anywhere, and not only where few lines are cut. */
+const ROWS_ANYWHERE = [0.75, 0.5];
 /** Parts whose layout is kept, by all that it depends on. */
 const KEPT = 600;
 
@@ -121,11 +123,19 @@ async function run(engine, part, graph, names, screen) {
   });
   let best = asPlaced(await engine.layout(root()), names);
   if (!part.ports.length) {
+    /** @param {string} cutting @param {number} ratio @param {boolean} anywhere */
+    const inRows = async (cutting, ratio, anywhere) => {
+      const rows = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": cutting, "elk.aspectRatio": String(ratio * screen.aspect) };
+      const tried = straightened(asPlaced(await engine.layout(root({ ...rows, "elk.layered.wrapping.multiEdge.improveCuts": String(!anywhere) })), names));
+      if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
+    };
     for (const ratio of ROWS) {
       if (best.width <= Math.min(LONG, screen.width) || (best.width < WIDER * screen.aspect * best.height && !isNarrow(screen))) break;
-      const rows = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * screen.aspect) };
-      const tried = asPlaced(await engine.layout(root(rows)), names);
-      if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
+      await inRows("ARD", ratio, false);
+    }
+    for (const ratio of ROWS_ANYWHERE) {
+      if (best.width <= screen.width && best.height <= screen.width / screen.aspect) break;
+      await inRows("MSD", ratio, true);
     }
   }
   return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names);
@@ -148,10 +158,45 @@ function isNarrow({ width }) {
 
 /** Whether all lines are level or upright: where it folds long drawings, ELK sometimes fails to make them so. @param {Placed} placed */
 function isStraight({ edges }) {
-  return Array.from(edges.values()).every(({ points }) => points.every((point, at) => {
+  return Array.from(edges.values()).every(({ points }) => isRight(points));
+}
+
+/** Whether all of a line is level or upright. @param {Point[]} points */
+function isRight(points) {
+  return points.every((point, at) => {
     const next = points[at + 1];
     return !next || Math.abs(next.x - point.x) < 0.5 || Math.abs(next.y - point.y) < 0.5;
-  }));
+  });
+}
+
+/**
+ * Lines that ELK leads back to the row in which they begin and end, as if they had left it, are level; and no line parts where it does not run.
+ * @param {Placed} placed
+ * @returns {Placed}
+ */
+function straightened(placed) {
+  for (const line of placed.edges.values()) {
+    const [first, last] = [line.points[0], line.points[line.points.length - 1]];
+    if (!first || !last) continue;
+    const isLevel = !isRight(line.points) && isRight([first, last]);
+    if (isLevel && !Array.from(placed.boxes.values()).some((box) => isThrough(box, first, last))) line.points = [first, last];
+    line.junctions = line.junctions.filter((junction) => isOn(line.points, junction));
+  }
+  return placed;
+}
+
+/** Whether a point is on a line. @param {Point[]} points @param {Point} point */
+function isOn(points, { x, y }) {
+  return points.some((from, at) => {
+    const to = points[at + 1] ?? from;
+    return x > Math.min(from.x, to.x) - 1 && x < Math.max(from.x, to.x) + 1 && y > Math.min(from.y, to.y) - 1 && y < Math.max(from.y, to.y) + 1;
+  });
+}
+
+/** Whether a level line runs through a box, and not only up to it. @param {import("./model").Area} box @param {Point} from @param {Point} to */
+function isThrough(box, from, to) {
+  const [left, right] = [Math.min(from.x, to.x), Math.max(from.x, to.x)];
+  return from.y > box.y && from.y < box.y + box.height && left < box.x + box.width - 0.5 && right > box.x + 0.5;
 }
 
 /** Short ids for ELK, which are plain in any case. */
