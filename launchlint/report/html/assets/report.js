@@ -699,7 +699,8 @@ ${counted(about.nodes, "node")}`;
         await inRows2("ARD", ratio, false);
       }
       for (const ratio of ROWS_ANYWHERE) {
-        if (best.width <= screen.width && best.height <= screen.width / screen.aspect) break;
+        const [width, height] = [screen.width, screen.width / screen.aspect];
+        if (best.width <= width && best.height <= height || best.width * best.height > 1.2 * width * height) break;
         await inRows2("MSD", ratio, true);
       }
     }

@@ -134,7 +134,9 @@ async function run(engine, part, graph, names, screen) {
       await inRows("ARD", ratio, false);
     }
     for (const ratio of ROWS_ANYWHERE) {
-      if (best.width <= screen.width && best.height <= screen.width / screen.aspect) break;
+      const [width, height] = [screen.width, screen.width / screen.aspect];
+      // What is far too large for any form is not tried.
+      if ((best.width <= width && best.height <= height) || best.width * best.height > 1.2 * width * height) break;
       await inRows("MSD", ratio, true);
     }
   }
