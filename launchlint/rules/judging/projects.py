@@ -7,6 +7,8 @@ authors, addresses), what a directory holds that only the root of a repository h
 from __future__ import annotations
 
 import posixpath
+from bisect import bisect_left
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from functools import partial
 
@@ -18,6 +20,8 @@ from launchlint.workspace.public_packages import public_names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from launchlint.workspace.manifest import Manifest
 
 CHANGES = "CHANGELOG.rst"
@@ -44,6 +48,8 @@ _TEMPLATE = "@todo.todo"
 _REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
 _WIKI = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/[^\s<]")
+_FIRST_AND_BEHIND_LAST = ("/", "0")
+"""What the names of all that lies below a directory go on with, and the sign behind that."""
 _DOWNLOADED = late(
     r".+-(?:master|main|develop|(?:[a-z]+-)?devel|fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|v?\d+(?:\.\d+)+)"
 )
@@ -68,8 +74,8 @@ def is_from_elsewhere(home: Package, packages: Packages) -> bool:
     manifest = home.manifest
     if manifest is None or not _is_of_others(home, packages):
         return False
-    left_as_made = [each for each in _beside(home, packages) if each.manifest is not None and _is_left_as_made(each.manifest.people)]
-    return bool(_origins(manifest)) or (not _of_template(manifest.people) and len(left_as_made) >= _SOME)
+    workspace = packages.once(_Workspaces).around(home.directory)
+    return bool(_origins(manifest)) or (not _of_template(manifest.people) and workspace.left_as_made >= _SOME)
 
 
 def kept_whole(home: Package, packages: Packages) -> str:
@@ -84,6 +90,19 @@ def kept_whole(home: Package, packages: Packages) -> str:
     return "" if home.manifest is None else projects.around(home.directory)
 
 
+class _Below:
+    """Packages by their directories: which there are below another directory is found without going through all of them."""
+
+    def __init__(self, manifests: Mapping[str, Manifest]) -> None:
+        self._directories = sorted(f"{each}/" for each in manifests)
+        self._manifests = [manifests[each[:-1]] for each in self._directories]
+
+    def of(self, directory: str) -> dict[str, Manifest]:
+        """Those in ``directory`` and below."""
+        first, last = (bisect_left(self._directories, f"{directory}{end}") for end in _FIRST_AND_BEHIND_LAST)
+        return {self._directories[at][:-1]: self._manifests[at] for at in range(first, last)}
+
+
 class _Projects:
     """The projects that are kept in the workspaces, by their directories."""
 
@@ -91,6 +110,7 @@ class _Projects:
         self._roots = [each.rstrip("/") for each in packages.workspaces]
         everything = [each for place in packages.places[: len(self._roots)] for each in place.everything]
         self._manifests = {each.directory: each.manifest for each in everything if each.manifest is not None}
+        self._below = _Below(self._manifests)
         self._found: dict[str, tuple[bool, Looked]] = {}
         self._signs: dict[str, tuple[bool, Looked]] = {}
 
@@ -109,7 +129,7 @@ class _Projects:
 
     def _is_project(self, directory: str) -> bool:
         """Whether a project of other people is kept in ``directory``."""
-        within = {each: manifest for each, manifest in self._manifests.items() if _is_in(each, directory)}
+        within = self._below.of(directory)
         people = _people(within.values())
         if not people:
             return False
@@ -125,8 +145,9 @@ class _Projects:
     def _are_others(self, directory: str, people: frozenset[str]) -> bool:
         """Whether most packages outside of ``directory`` have nothing to do with ``people``: of all, or of those in no other project."""
         outside = self._outside(directory)
-        own = [manifest for each, manifest in outside.items() if not self._is_in_other(each, directory)]
-        return _mostly_others(outside.values(), people) or _mostly_others(own, people)
+        if _mostly_others(outside.values(), people):
+            return True
+        return _mostly_others([manifest for each, manifest in outside.items() if not self._is_in_other(each, directory)], people)
 
     def _left_as_made(self, directory: str) -> int:
         """How many packages outside of ``directory`` have nobody's name but what the template has."""
@@ -135,7 +156,8 @@ class _Projects:
     def _outside(self, directory: str) -> dict[str, Manifest]:
         """The packages outside of ``directory`` in the same workspace: of others that are overlaid nobody says that they are one's own."""
         root = next(each for each in self._roots if _is_in(directory, each))
-        return {each: manifest for each, manifest in self._manifests.items() if _is_in(each, root) and not _is_in(each, directory)}
+        within = self._below.of(directory)
+        return {each: manifest for each, manifest in self._below.of(root).items() if each not in within}
 
     def _is_in_other(self, package: str, directory: str) -> bool:
         """Whether a directory around the package, and not around ``directory``, looks like the root of a repository."""
@@ -156,7 +178,7 @@ class _Projects:
     def _shows_root(self, directory: str) -> bool:
         listed = names(directory)
         if _DOWNLOADED.fullmatch(posixpath.basename(directory)) is not None:
-            return _has_readme(listed) or sum(_is_in(each, directory) for each in self._manifests) > 1
+            return _has_readme(listed) or len(self._below.of(directory)) > 1
         if not _OF_ROOTS.isdisjoint(listed):
             return True
         licensed = not _LICENCES.isdisjoint(each.partition(".")[0].lower() for each in listed)
@@ -167,8 +189,60 @@ class _Projects:
 
     def _holds_released(self, directory: str) -> bool:
         """Whether a package right in ``directory`` was released: nobody makes a list of changes for a mere copy."""
-        inside = ((each, manifest) for each, manifest in self._manifests.items() if posixpath.dirname(each) == directory)
+        inside = ((each, manifest) for each, manifest in self._below.of(directory).items() if posixpath.dirname(each) == directory)
         return any(_is_released(each, manifest.name) for each, manifest in inside)
+
+
+class _Workspaces:
+    """Whose the packages of each workspace are."""
+
+    def __init__(self, packages: Packages) -> None:
+        self._roots = [
+            (root.rstrip("/"), _Workspace(place.everything)) for root, place in zip(packages.workspaces, packages.places, strict=False)
+        ]
+        self._none = _Workspace(())
+
+    def around(self, directory: str) -> _Workspace:
+        """The first one that ``directory`` lies in: of others that are overlaid nobody says that they are one's own."""
+        return next((each for root, each in self._roots if _is_in(directory, root)), self._none)
+
+
+class _Workspace:
+    """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has."""
+
+    def __init__(self, everything: Sequence[Package]) -> None:
+        self._count = len(everything)
+        self._in: Counter[str] = Counter(posixpath.dirname(each.directory) for each in everything)
+        self._known = [(each.directory, each.name, each.manifest) for each in everything if each.manifest is not None]
+        self._known_in: Counter[str] = Counter(posixpath.dirname(directory) for directory, _, _ in self._known)
+        self._of_people: dict[str, set[int]] = {}
+        self._from_origins: dict[str, set[int]] = {}
+        self._public: Counter[str] = Counter()
+        for number, (_, name, manifest) in enumerate(self._known):
+            if name in public_names():
+                self._public[name] += 1
+            for person in manifest.people:
+                self._of_people.setdefault(person, set()).add(number)
+            for origin in _origins(manifest):
+                self._from_origins.setdefault(origin, set()).add(number)
+        self.left_as_made = sum(_is_left_as_made(manifest.people) for _, _, manifest in self._known)
+
+    def is_of_others_than(self, home: Package, manifest: Manifest) -> bool:
+        """Whether most packages, as they are told apart by :func:`_is_of_others`, are of others than those of ``home``, a public one."""
+        beside = posixpath.dirname(home.directory)
+        of_people = _united(self._of_people, manifest.people)
+        theirs_beside = sum(posixpath.dirname(self._known[each][0]) == beside for each in of_people)
+        came_along = self._in[beside] < self._count and theirs_beside == self._known_in[beside]
+        alike = of_people | _united(self._from_origins, _origins(manifest))
+        related = [self._known[each][0] for each in alike if self._known[each][1] not in public_names()]
+        theirs = sum(not (came_along and posixpath.dirname(each) == beside) for each in related)
+        public = self._public.total() - self._public[home.name]
+        own = len(self._known) - self._public.total() - len(related)
+        return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
+
+
+def _united(index: Mapping[str, set[int]], keys: Iterable[str]) -> set[int]:
+    return set().union(*(index.get(each, ()) for each in keys))
 
 
 def _is_released(directory: str, name: str) -> bool:
@@ -183,36 +257,7 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     """
     if home.manifest is None or home.name not in public_names():
         return False
-    people, origins = home.manifest.people, _origins(home.manifest)
-    if not people:
-        return False
-    own = public = theirs = 0
-    beside = _beside(home, packages)
-    came_along = _is_all_theirs(posixpath.dirname(home.directory), people, beside)
-    for each in beside:
-        if each.manifest is None or each.name == home.name:
-            continue
-        if each.name in public_names():
-            public += 1
-        elif people.isdisjoint(each.manifest.people) and origins.isdisjoint(_origins(each.manifest)):
-            own += 1
-        elif not (came_along and posixpath.dirname(each.directory) == posixpath.dirname(home.directory)):
-            theirs += 1
-    return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
-
-
-def _is_all_theirs(directory: str, people: frozenset[str], everything: Sequence[Package]) -> bool:
-    """Whether all packages right in ``directory`` have some of ``people``, and there are others elsewhere: then it came as a whole."""
-    inside = [each for each in everything if posixpath.dirname(each.directory) == directory]
-    return len(inside) < len(everything) and all(each.manifest is None or not people.isdisjoint(each.manifest.people) for each in inside)
-
-
-def _beside(home: Package, packages: Packages) -> list[Package]:
-    """The packages of the first workspace that ``home`` lies in: of others that are overlaid nobody says that they are one's own."""
-    for root, place in zip(packages.workspaces, packages.places, strict=False):
-        if _is_in(home.directory, root.rstrip("/")):
-            return place.everything
-    return []
+    return bool(home.manifest.people) and packages.once(_Workspaces).around(home.directory).is_of_others_than(home, home.manifest)
 
 
 def _mostly_others(manifests: Iterable[Manifest], people: frozenset[str]) -> bool:
