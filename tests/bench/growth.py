@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tests.bench.timing import launchlint, plain_environment, table
-from tests.growth import ros1, ros2
+from tests.growth import ros1, ros2, ros2_python
 from tests.growth.workspace import Construct, build
 
 SECONDS = 120
@@ -81,7 +81,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as directory:
         start = cost(launchlint("--version"), Path(directory)).seconds or 0.0
     rows, bad = [], 0
-    for construct in (*ros1.CONSTRUCTS, *ros2.CONSTRUCTS):
+    for construct in (*ros1.CONSTRUCTS, *ros2.CONSTRUCTS, *ros2_python.CONSTRUCTS):
         if given.names and construct.name not in given.names:
             continue
         tried = [size for size in sizes if size <= construct.most] or [construct.most]

@@ -7,10 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.growth import ros1, ros2
+from tests.growth import ros1, ros2, ros2_python
 from tests.growth.work import calls
 from tests.growth.workspace import Construct, build
 
+CONSTRUCTS = (*ros1.CONSTRUCTS, *ros2.CONSTRUCTS, *ros2_python.CONSTRUCTS)
 SIZES = (60, 120, 240)
 STEEPEST = 1.2
 """The greatest exponent: what a text twice as long costs more is at most 2 ** 1.2 times what it cost more for the doubling before."""
@@ -59,7 +60,7 @@ def exponent(counts: list[int]) -> float:
     return log2(second / max(first, 1)) if second > FEW else 0.0
 
 
-@pytest.mark.parametrize("construct", [*ros1.CONSTRUCTS, *ros2.CONSTRUCTS], ids=lambda construct: construct.name)
+@pytest.mark.parametrize("construct", CONSTRUCTS, ids=lambda construct: construct.name)
 def test_check(construct: Construct, tmp_path: Path) -> None:
     counts = []
     for size in SIZES:
@@ -72,7 +73,7 @@ def test_check(construct: Construct, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("words", "name"), [(words, name) for words, names in OTHERS.items() for name in names])
 def test_other_commands(words: tuple[str, ...], name: str, tmp_path: Path) -> None:
-    construct = next(each for each in (*ros1.CONSTRUCTS, *ros2.CONSTRUCTS) if each.name == name)
+    construct = next(each for each in CONSTRUCTS if each.name == name)
     counts = []
     for size in SIZES:
         directory = tmp_path / str(size)
