@@ -53,6 +53,8 @@ class Members(Expressions):
         super().__init__(recogniser)
         self.unknown_methods: set[str] = set()
         self.function_attributes: dict[int, dict[str, Value]] = {}
+        self._asking = False
+        """Whether a ``__getattr__`` is being followed: what is missing in there is not asked for again."""
 
     def call_function(self, function: Function, positional: list[Value], keywords: dict[str, Value]) -> Value:
         """Call a function of the program with its parameters bound."""
@@ -165,11 +167,27 @@ class Members(Expressions):
         if name == "__class__":
             return instance.type
         found = self._of_class(instance.type, name, instance, instance.type)
+        if isinstance(found, Unknown) and not any(isinstance(each, Class) and name in each.attributes for each in instance.type.order):
+            asked = self._asked(instance, name)
+            found = found if asked is MISSING else asked
         if isinstance(found, Unknown):
             self.unknown_methods.add(name)
             if self.exact and has_known_attributes(instance) and not name.startswith("__"):
                 return self._lacking(instance, name)
         return found
+
+    def _asked(self, instance: Instance, name: str) -> Value:
+        """What ``__getattr__`` of the object's class gives for an attribute that it does not have; MISSING where there is none."""
+        if name.startswith("__") or self._asking:
+            return MISSING
+        asked = self._found([each for each in instance.type.order if isinstance(each, Class)], "__getattr__", instance, instance.type)
+        if not isinstance(asked, Bound) or not isinstance(asked.function, Function):
+            return MISSING
+        self._asking = True
+        try:
+            return self.call_function(asked.function, [instance, name], {})
+        finally:
+            self._asking = False
 
     def _lacking(self, instance: Instance, name: str) -> Value:
         """An attribute that an object does not have."""

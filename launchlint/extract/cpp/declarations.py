@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from launchlint.extract.cpp.declarators import (
     function_declarator,
+    function_name,
     is_array,
     is_pointer,
     is_pointer_to_function,
@@ -304,15 +305,15 @@ class Declarations:
         shared = _type_text(named)
         constant = any(each.kind == "type_qualifier" and each.text in ("const", "constexpr") for each in node.children)
         for declarator in declarators:
+            # The initial value of a field stands behind its declarator.
+            initial = next((each for each in initials if _between(node, declarator, each)), None)
             function = function_declarator(declarator)
             if function is not None:
                 if declarator.kind == "init_declarator" or is_pointer_to_function(function):
-                    self._variable(declarator, parse_type(shared), None, scope, path, constant)
+                    self._variable(declarator, parse_type(shared), initial, scope, path, constant)
                 else:
                     self._function(node, declarator, scope, path, template)
                 continue
-            # The initial value of a field stands behind its declarator.
-            initial = next((each for each in initials if _between(node, declarator, each)), None)
             self._variable(declarator, parse_type(shared) if shared else UNTYPED, initial, scope, path, constant)
 
     def _variable(self, declarator: Node, type_: Type, initial: Node | None, scope: str, path: str, constant: bool) -> None:
@@ -339,8 +340,8 @@ class Declarations:
         named = function.field("declarator") if function else None
         if function is None or named is None:
             return
-        name = without_arguments(named.text).replace(" ", "")
-        if not name or name.startswith(("~", "operator")) or "::~" in name:
+        name = function_name(named)
+        if not name:
             return
         returns = node.field("type")
         parameters = parameters_of(function.field("parameters"))

@@ -40,6 +40,17 @@ _NAMES = (
 )
 
 
+def function_name(named: Node) -> str:
+    """The name of a function: ``a::B::c``, ``B::operator<<``, ``B::~B``."""
+    last = named
+    while last.kind == "qualified_identifier" and (inner := last.field("name")) is not None:
+        last = inner
+    if last.kind != "operator_name":
+        return without_arguments(named.text).replace(" ", "")
+    before = without_arguments(named.text[: len(named.text) - len(last.text)])
+    return (before + last.text).replace(" ", "")
+
+
 def function_declarator(declarator: Node | None) -> Node | None:
     """The part of a declarator that has parameters; None where it declares no function."""
     for _ in range(_DEEPEST):

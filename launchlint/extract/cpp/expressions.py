@@ -34,6 +34,9 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
 _MAPPINGS = ("map", "unordered_map", "M_string")
+_ANY = frozenset(("ERROR", "expression_statement", "co_await_expression", "delete_expression", "user_defined_literal", "throw_statement"))
+"""What has no value that a name is made of, and holds expressions that are evaluated."""
+_PACKS = frozenset(("fold_expression", "parameter_pack_expansion"))
 _WRAPPED = ("parenthesized_expression", "condition_clause")
 
 
@@ -106,10 +109,21 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
         return value
     if kind == "update_expression":
         return _update(machine, node, frame)
-    if kind in ("ERROR", "expression_statement", "co_await_expression"):
+    if kind in _ANY:
         for each in node.children:
             machine.evaluate(each, frame)
+    elif kind in _PACKS:
+        _pack(machine, node, frame)
     return UNKNOWN
+
+
+def _pack(machine: Machine, node: Node, frame: Frame) -> None:
+    """``(make<T>(), ...)``, ``make(arguments)...``: done once, and where that makes names, as often as nobody knows."""
+    before = set(machine.facts)
+    for each in node.children:
+        machine.evaluate(each, frame)
+    if not before.issuperset(machine.facts):
+        machine.doubt_all("names are made for each of a pack of arguments", frame.path, node.line)
 
 
 def _named(machine: Machine, node: Node, frame: Frame) -> Value:
@@ -156,6 +170,8 @@ def constant(machine: Machine, name: str, frame: Frame) -> Value:
 
 
 def _binary(machine: Machine, node: Node, frame: Frame) -> Value:
+    from launchlint.extract.cpp.machine import Argument
+
     # a + b + c + … leans to the left: its left side is gone down in a loop.
     spine: list[Node] = []
     inner: Node | None = node
@@ -174,7 +190,12 @@ def _binary(machine: Machine, node: Node, frame: Frame) -> Value:
             continue
         if not machine.step():
             return UNKNOWN
-        value = combined(machine, sign, value, machine.evaluate(right, frame))
+        other = machine.evaluate(right, frame)
+        own = classes.methods(machine, value, f"operator{sign}")[:1] if isinstance(value, Thing) else ()
+        if own and isinstance(value, Thing):
+            value = machine.call(own[0], value, [Argument(other)])
+        else:
+            value = combined(machine, sign, value, other)
     return value
 
 

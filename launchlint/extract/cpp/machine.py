@@ -56,7 +56,7 @@ _LARGEST_PLAIN = 500
 _MOST_STEPS_OF_IRRELEVANT = 3_000
 """Steps that one program is followed through one function that has nothing to do with names, and what that calls."""
 _PLAIN = DOUBLES | INTEGERS | {"void"}
-_CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
+CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 
 
 class Argument(NamedTuple):
@@ -104,6 +104,10 @@ class Machine:
         self.when = "start"
         self.exists = ""
         """What a lifecycle node is where its members run: ``configured``, ``active``; empty while it is made."""
+        self.begun: tuple[str, int] | None = None
+        """Where the client library of ROS 2 is begun."""
+        self.strangers: dict[Doubt, None] = {}
+        """Why there may be nodes that were not found, without a category."""
         self.objects: list[Thing] = []
         """Objects that are nodes of ROS 2."""
         self.horizon = 0
@@ -177,9 +181,11 @@ class Machine:
             later = self.pending.pop(0)
             if isinstance(later.function, Callable) and not any(overloads.is_relevant(self, each) for each in later.function.functions):
                 continue
-            self.when, self.conditions, self.horizon = later.when, list(later.conditions), self.serial + 1
-            self.instance, self.exists = later.instance, later.exists
-            self.invoke(later.function, [])
+            ways = self.unseen.with_objects(later.function) if isinstance(later.function, Callable) else [later.function]
+            for each in ways:
+                self.when, self.conditions, self.horizon = later.when, list(later.conditions), self.serial + 1
+                self.instance, self.exists = later.instance, later.exists
+                self.invoke(each, [])
         self.exists = ""
 
     # -- variables ----------------------------------------------------------------------------------------------------
@@ -325,6 +331,9 @@ class Machine:
             return either([(condition, self.invoke(each, arguments)) for condition, each in function.choices])
         if isinstance(function, Closure):
             return self._closure(function, arguments)
+        if isinstance(function, Thing):
+            found = overloads.chosen(self, classes.methods(self, function, "operator()"), arguments, None)
+            return self.call(found, function, arguments) if found is not None else UNKNOWN
         if not isinstance(function, Callable):
             return UNKNOWN
         this = function.this
@@ -474,7 +483,7 @@ class Machine:
 
     def doubt_all(self, reason: str, path: str, line: int) -> None:
         """Note why there may be more of every category."""
-        for category in _CATEGORIES:
+        for category in CATEGORIES:
             self.doubts[Doubt(category, reason, path, line)] = None
 
 

@@ -13,6 +13,7 @@ from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.rclcpp import component
 from launchlint.extract.cpp.rclcpp.generated import with_classes
+from launchlint.extract.cpp.rclcpp.running import doubt_nodes
 from launchlint.extract.cpp.rclcpp.tables import RCLCPP
 from launchlint.extract.cpp.ros.roscpp import ROSCPP
 from launchlint.extract.cpp.spelled_type import Type
@@ -88,6 +89,7 @@ def cpp_program(
         else:
             (component if of_ros2 else nodelet).start(machine, entry, first)
         machine.finish()
+        doubt_nodes(machine)
     except RecursionError:
         machine.doubt_all("the program is nested too deeply to be followed to its end", first, 1)
     for file in files:

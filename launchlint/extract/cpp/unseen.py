@@ -26,6 +26,7 @@ _MOST_OBJECTS = 20
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _SLOT = re.compile(r"on_\w+_\w+")
 _OF_QT = re.compile(r"Q[A-Z]\w*")
+_UNNAMED = re.compile(r"~|operator\W")
 
 Taken = TypeVar("Taken", Callable, Closure)
 
@@ -57,6 +58,21 @@ class Unseen:
                 self.blind.setdefault(function.functions[0].last)  # of any class that overrides it
         return function
 
+    def with_objects(self, function: Callable) -> list[Callable]:
+        """A member function that is called later; of the object it was taken in, or of its class, where nobody said of which."""
+        from launchlint.extract.cpp import classes
+
+        first = function.functions[0] if function.functions else None
+        if function.this is not None or function.bound is not None or first is None or not first.owner:
+            return [function]
+        taken = self._taken.get(function.functions)
+        inside = taken.this if isinstance(taken, Callable) else None
+        if inside is not None and inside.declared is not None and classes.is_a(self.machine, inside, first.owner):
+            objects = self._others(inside.declared, inside)
+        else:
+            objects = self._of(first)
+        return [function._replace(this=each) for each in objects] or [function]
+
     def variables(self) -> None:
         """Make the global objects that nothing has asked for: their constructors run before ``main()``."""
         from launchlint.extract.cpp import places
@@ -87,6 +103,9 @@ class Unseen:
             for each in self._called_by(declared, base) if base else ():
                 for one in self._others(declared, thing):
                     machine.later(Callable((each,), one), "message", (f"{base} calls {each.last}",))
+            for each in self._without_a_call(declared):
+                for one in self._others(declared, thing):
+                    machine.later(Callable((each,), one), "message", (f"{each.last} of {declared.name} is called",))
         for name in self.blind:
             for each in self._by_name().get(name, ()):
                 for owner in () if each in self.visited else self._of(each):
@@ -162,6 +181,12 @@ class Unseen:
                 if names.declared(resolved) is None and resolved.name not in each.template:
                     return resolved.name
         return ""
+
+    def _without_a_call(self, declared: Class) -> Iterable[Function]:
+        """Operators and the destructor of a class, which no call names, where they make names and have not been followed."""
+        for name, functions in self.machine.declarations.members(declared.name):
+            if _UNNAMED.match(name):
+                yield from (each for each in functions if each.body is not None and each not in self.visited and self.tells(each))
 
     def _called_by(self, declared: Class, base: str) -> Iterable[Function]:
         """Members of a class that its base class may call, have not been followed, and make names."""

@@ -151,14 +151,6 @@ def action(role: str) -> Does[[Call], Value | None]:
     return function
 
 
-def _nothing(asked: Call) -> Value:
-    return UNKNOWN
-
-
-def _node_of_spin(asked: Call) -> Value:
-    return UNKNOWN
-
-
 def _wait_for_message(asked: Call) -> Value:
     """``rclcpp::wait_for_message(message, node, topic, timeout, qos)``."""
     cell = asked.cell(0)
@@ -211,31 +203,11 @@ FUNCTIONS: dict[str, Does[[Call], Value | None]] = {
         f"rclcpp::node_interfaces::get_node_{each}_interface": (lambda asked: asked.value(0))
         for each in ("base", "parameters", "topics", "services", "clock", "graph", "logging", "timers", "time_source", "waitables")
     },
-    **dict.fromkeys(
-        (
-            f"rclcpp::{name}"
-            for name in (
-                "init", "init_and_remove_ros_arguments", "shutdown", "spin", "spin_some", "spin_all", "spin_until_future_complete", "ok",
-                "sleep_for", "get_logger", "on_shutdown", "remove_ros_arguments", "uninstall_signal_handlers", "install_signal_handlers",
-                "executors::spin_node_until_future_complete", "executors::spin_node_once", "get_global_default_context",
-                "contexts::get_global_default_context", "get_c_string",
-            )
-        ),
-        _nothing,
-    ),
-}  # fmt: skip
+}
 MAKERS: dict[str, Does[[Call], Value]] = {
     "rclcpp::AsyncParametersClient": parameters_client,
     "rclcpp::SyncParametersClient": parameters_client,
 }
-_EXECUTORS = (
-    "Executor", "executors::SingleThreadedExecutor", "executors::MultiThreadedExecutor", "executors::StaticSingleThreadedExecutor",
-    "executors::EventsExecutor", "experimental::executors::EventsExecutor",
-)  # fmt: skip
-
-
-def _of_executor(this: Thing, asked: Call) -> Value:
-    return UNKNOWN
 
 
 def _topic(this: Thing, asked: Call) -> Value:
@@ -244,13 +216,5 @@ def _topic(this: Thing, asked: Call) -> Value:
 
 
 METHODS: dict[tuple[str, str], Does[[Thing, Call], Value]] = {
-    **{
-        (f"rclcpp::{executor}", name): _of_executor
-        for executor in _EXECUTORS
-        for name in (
-            "add_node", "remove_node", "spin_node_some", "spin_node_all", "spin_node_once", "add_callback_group",
-            "spin_until_future_complete",
-        )
-    },
     **dict.fromkeys((("rclcpp::Publisher", name) for name in ("get_topic_name", "get_service_name")), _topic),
-}  # fmt: skip
+}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from launchlint.extract.cpp.rclcpp import interface, library, lifecycle, nodes, params, qos
+from launchlint.extract.cpp.rclcpp import interface, library, lifecycle, nodes, params, qos, running
 from launchlint.extract.cpp.rclcpp.models import MODELS
 from launchlint.extract.cpp.ros import loading
 from launchlint.extract.cpp.ros.library import STREAMS
@@ -35,8 +35,8 @@ def _is_handle(type_: Type) -> bool:
 RCLCPP = Tables(
     makers={**qos.MAKERS, **nodes.MAKERS, **params.MAKERS, **interface.MAKERS, **library.MAKERS, **loading.MAKERS, **STREAMS},
     standins=library.STANDINS,
-    methods={**qos.METHODS, **nodes.METHODS, **interface.METHODS, **library.METHODS, **loading.METHODS},
-    functions={**qos.FUNCTIONS, **interface.FUNCTIONS, **library.FUNCTIONS},
+    methods={**qos.METHODS, **nodes.METHODS, **interface.METHODS, **running.METHODS, **library.METHODS, **loading.METHODS},
+    functions={**qos.FUNCTIONS, **interface.FUNCTIONS, **running.FUNCTIONS, **library.FUNCTIONS},
     of_handle={**interface.OF_HANDLE, **library.OF_HANDLE},
     of_object=interface.of_object,
     models=MODELS,

@@ -41,7 +41,7 @@ class Ros2Recogniser(RosRecogniser):
         if name.endswith(described.LISTENER):
             return described.listener(Call(self._run, name, positional, keywords, node, scope))
         if name not in libraries.HANDLERS and not name.endswith(".__init__"):
-            self._doubt_given(name, [*positional, *keywords.values()], node, scope)
+            self.doubt_given(name, [*positional, *keywords.values()], node, scope)
         return super().call(name, positional, keywords, node, scope)
 
     def attribute(self, name: str, member: str) -> Value:
@@ -81,7 +81,7 @@ class Ros2Recogniser(RosRecogniser):
             if base != "rclpy.lifecycle.LifecycleNodeMixin":
                 nodes.construct(self._run, instance, made, lifecycle)
         else:
-            self._doubt_given(base, [*positional, *keywords.values()], node, scope)
+            self.doubt_given(base, [*positional, *keywords.values()], node, scope)
             super().inherited(base, instance, positional, keywords, node, scope)
 
     def inherited_method(
@@ -116,7 +116,7 @@ class Ros2Recogniser(RosRecogniser):
             made.doubt(f"it calls {name} of a node whose making was not seen")
         return does(nodes.ELSEWHERE if known is None else known.made.key, known, made)
 
-    def _doubt_given(self, name: str, values: Sequence[Value], node: ast.AST, scope: Scope) -> None:
+    def doubt_given(self, name: str, values: Sequence[Value], node: ast.AST, scope: Scope) -> None:
         """Note that something of which nothing is known has been given a node."""
         if name.startswith(("rclpy.", "builtins.")) or has_no_ros(name) or not self._has_node(values, 0):
             return

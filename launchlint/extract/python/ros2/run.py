@@ -95,6 +95,11 @@ class Ros2Run(Run):
         """Values are given to code that is not followed. Nobody calls the methods of a node but those that it was made for."""
         super().escape([each for value in values for _, each in alternatives(value) if not self._is_plain_node(each)], when, depth)
 
+    def _give(self, values: list[Value], node: ast.AST, scope: Scope) -> None:
+        """Values are given to something of which nothing is known: with a node it may make any names."""
+        self.recogniser.doubt_given("something", values, node, scope)
+        super()._give(values, node, scope)
+
     def _is_plain_node(self, value: Value) -> bool:
         return isinstance(value, Instance) and self._of_rclpy(value.type.order)
 
