@@ -231,19 +231,19 @@ class Names:
             return _OTHER_MESSAGES["::".join(parts)]
         if parts[0].startswith(_CLOUDS):
             return "sensor_msgs/PointCloud2"
-        return self._of_ros2(parts) or self._message(parts, service, frame.scope)
+        return self._of_ros2(parts, frame.scope) or self._message(parts, service, frame.scope)
 
-    def _of_ros2(self, parts: list[str]) -> str:
-        """``pkg/msg/Type`` of ``pkg::msg::Type``, also where a using directive saves the beginning of it; empty where it is none."""
+    def _of_ros2(self, parts: list[str], scope: str) -> str:
+        """``pkg/msg/Type`` of ``pkg::msg::Type``, also where a namespace around or used saves the beginning of it; empty where none."""
         if not all(_NAME.fullmatch(part) for part in parts):
             return ""
         last = parts[-1].removesuffix("_")
-        if len(parts) >= 3 and parts[-2] in _KINDS:
-            return f"{parts[-3]}/{parts[-2]}/{last}"
         if "::".join(parts) in self.declarations.classes or not last:
             return ""
-        for used in self.declarations.used:
-            spaces = [*used.split("::"), *parts[:-1]]
+        if len(parts) >= 3 and parts[-2] in _KINDS:
+            return f"{parts[-3]}/{parts[-2]}/{last}"
+        for space in self.scopes(scope):
+            spaces = [*space.split("::"), *parts[:-1]]
             if len(spaces) >= 2 and spaces[-1] in _KINDS and f"{spaces[-2]}/{spaces[-1]}/{snake(last)}" in self.declarations.messages:
                 return f"{spaces[-2]}/{spaces[-1]}/{last}"
         return ""

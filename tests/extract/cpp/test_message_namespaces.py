@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.extract.cpp import cpp_program
+from tests.extract.cpp.test_rclcpp import follow
 
 INCLUDES = "#include <ros/ros.h>\n#include <arm_msgs/Grip.h>\n#include <leg_msgs/Step.h>\n"
 INNER = "namespace arm { namespace msgs { using namespace arm_msgs; using namespace leg_msgs; } }\n"
@@ -55,3 +56,31 @@ def test_type(before: str, spelled: str, expected: str, tmp_path: Path) -> None:
     (tmp_path / "main.cpp").write_text(source, encoding="utf-8")
     facts, _, _ = cpp_program([str(tmp_path / "main.cpp")], [], str(tmp_path), None)
     assert [(fact.name, fact.type) for fact in facts if fact.category == "subscribers"] == [("a", expected)]
+
+
+INSIDE = {
+    "the package's own, in its namespace": ("msg::Grip", "arm/msg/Grip"),
+    "by its whole name": ("arm::msg::Grip", "arm/msg/Grip"),
+    "not included": ("msg::Other", ""),
+    "of a class of that namespace": ("msg::Own", ""),
+}
+
+
+@pytest.mark.parametrize(("used", "expected"), INSIDE.values(), ids=INSIDE)
+def test_type_in_the_namespace_of_its_package(used: str, expected: str, tmp_path: Path) -> None:
+    source = f"""#include <rclcpp/rclcpp.hpp>
+#include <arm/msg/grip.hpp>
+namespace arm::drive {{
+namespace msg {{ struct Own {{}}; }}
+class Talker : public rclcpp::Node {{
+ public:
+  Talker() : Node("talker") {{ talk_ = create_publisher<{used}>("a", 1); }}
+  rclcpp::Publisher<{used}>::SharedPtr talk_;
+}};
+}}
+int main(int argc, char** argv) {{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<arm::drive::Talker>());
+}}
+"""
+    assert [(fact.name, fact.type) for fact in follow(tmp_path, source)[0] if fact.category == "publishers"] == [("a", expected)]
