@@ -4,7 +4,7 @@ What it does: for each node whose package lies in the workspace, it works out wh
 `setup.py` and `setup.cfg`, which are read and never run. It tells of programs that are installed to another directory than `lib/PKG` (to
 `bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
 files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out. What no part of the package
-is called is told by LL304.
+is called is told by LL304. All scripts of a `setup.py` that go to another directory are one finding.
 
 ## Why it matters
 
@@ -109,8 +109,15 @@ def check(view: LaunchView) -> Iterator[Finding]:
                 f"ros2 launch stops: executable '{node.executable}' not found on the libexec directory",
             ),
             help=_help(missing),
-            cause=f"{severity.word} {package.name}/{node.executable}",
+            cause=f"{severity.word} {_cause(missing)}",
         )
+
+
+def _cause(missing: Missing) -> str:
+    """``setup.cfg`` says of all scripts at once where they are installed."""
+    if missing.built and build_file(missing.package) == "setup.py":
+        return f"{missing.package.name} {missing.built}"
+    return f"{missing.package.name}/{missing.node.executable}"
 
 
 def _where(missing: Missing) -> str:
