@@ -51,6 +51,10 @@ _LISTED = late(r"""\[([\s"'/\w,]{1,4000})\]|(?m:^[ \t]*-[ \t]+["']?([/\w]+)["']?
 _QUOTED = late(r"""["'](?:[/\w]*/)?(\w{2,80})(?:/change_state)?["']""")
 _NODE_NAME = late(r"[A-Za-z_]\w{1,80}")
 
+_ATTRIBUTE = late(r"""\b(pkg|type|args|from|to)\s*=\s*(?:"([^"<>\t\r\n]{0,300})"|'([^'<>\t\r\n]{0,300})')""")
+_LONGEST_TAG = 2_000
+_LOADING = ("load", "standalone")
+
 
 def _packages(text: str) -> Sequence[str]:
     """The packages that a launch file names."""
@@ -76,6 +80,40 @@ def _topics(text: str) -> Sequence[str]:
     """The last parts of the names of topics in the code of a node of ROS 1, with ``+`` where it publishes and ``-`` where it hears."""
     found = _TOPICS.findall(text)
     return sorted({f"{'+' if gives else '-'}{name.rstrip('/').rpartition('/')[2].lstrip('~')}" for gives, _, name in found})
+
+
+def _remaps(text: str) -> Sequence[str]:
+    """The remaps inside the nodes of a launch file of ROS 1: program (the class of a nodelet), ``from`` and ``to``, parted by tabs."""
+    if "<launch" not in text:
+        return ()
+    found: set[str] = set()
+    for piece in _without_comments(text).split("<node")[1:]:
+        head, _, inside = piece.partition("</node")[0].partition(">")
+        if head.endswith("/") or "<remap" not in inside:
+            continue
+        node = _attributes(head)
+        program = f"{node.get('pkg', '')}/{node.get('type', '')}"
+        words = node.get("args", "").split()
+        if program == "nodelet/nodelet" and len(words) > 1 and words[0] in _LOADING:
+            program = words[1]
+        for remap in map(_attributes, inside.split("<remap")[1:]):
+            if "from" in remap and "to" in remap:
+                found.add(f"{program}\t{remap['from']}\t{remap['to']}")
+    return sorted(found)
+
+
+def _without_comments(text: str) -> str:
+    kept = []
+    first, *others = text.split("<!--")
+    for piece in others:
+        _, end, after = piece.partition("-->")
+        kept.append(after if end else "")
+    return "".join((first, *kept))
+
+
+def _attributes(text: str) -> Mapping[str, str]:
+    """Those in the tag that ``text`` begins in."""
+    return {name: one or other for name, one, other in _ATTRIBUTE.findall(text[:_LONGEST_TAG].partition(">")[0])}
 
 
 def _lifecycle(text: str) -> Sequence[str]:
@@ -113,6 +151,7 @@ PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {
     "writing": _writing,
     "args": _args,
     "topics": _topics,
+    "remaps": _remaps,
     "lifecycle": _lifecycle,
     "distributions": _distributions,
 }

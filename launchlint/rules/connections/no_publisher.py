@@ -8,14 +8,18 @@ one of `std_msgs`, the names are those of the code, and one of the programs runs
 common, and other sources of the workspace publish (or hear) the one that is left alone: that program may be started from elsewhere. And
 so it is where a remap with the missing name stands in the other node and acts on nothing, which LL601 tells.
 
-It is told, too, where something else shows what was meant, however little the names are alike; a note then says what. The node waits
-for a private name (`~odom`) that no remap leads anywhere, so that others publish there only if they are told to, and just one other node
+A node that takes any type, as a relay does, is told of only where the names are one letter apart.
+
+It is told, too, where something else shows what was meant, however little the names are alike; a note then says what. The node waits for
+a private name (`~odom`) that no remap leads anywhere, so that others publish there only if they are told to, and just one other node
 publishes such a name, or has the only other loose end of that type. A remap that would join the two stands in another node, where it does
-nothing, or stands there twice. All other nodes of the same program have that name remapped, and meet somebody. The two would meet if one
-of them had no remap. Or both nodes talk to nobody else, and nobody else speaks that type. Nothing is said of the first and the last node
-of a chain, of which one hears and the other says the same type, nor of two that a remap parts where what the one says comes, by way of
-others, of what the other one hears, nor of a node that listens to several private names of which a remap leads
-one somewhere and leaves two or more: it may take any of them.
+nothing, or stands there twice. All other nodes of the same program have that name remapped, and meet somebody. In another launch file of
+the workspace (ROS 1), a remap leads that name of the same program to the other one, and no other node gives the same here. Two others of
+their kind meet: copies of both programs, or names of one node that differ in one word (`left/image` and `right/image`). Another node with
+that name in its code is led by a remap to what the other one publishes. The two would meet if one of them had no remap. Or both nodes
+talk to nobody else, and nobody else speaks that type. Nothing is said of the first and the last node of a chain, of which one hears and
+the other says the same type, nor of two that a remap parts where what the one says comes, by way of others, of what the other one hears,
+nor of a node that listens to several private names of which a remap leads one somewhere and leaves two or more: it may take any of them.
 
 Where a node of which not everything is known could be the publisher, and nothing says that it is, only what something shows besides is
 told, or two names that differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the

@@ -1,9 +1,11 @@
 """A node calls a service or an action that nobody serves, while the launch file has a server that was probably meant.
 
-It is told where another node serves the same type under a name that is a letter apart, or under the same name in another
-namespace where nobody calls it. Where the names are less alike, or the type says little (those of `std_srvs`), it is an info.
-Nothing is said of a service of a type that no node of the launch serves: it may run elsewhere. What could be there although it is not known
-counts as for topics (LL612).
+It is told where another node serves the same type under a name that is a letter apart, or under the same name in another namespace where
+nobody calls it; where another launch file of the workspace, or others of the same kind in this one, show that the two belong together, as
+for LL612; and where they are the only ones in the launch that serve and call a service of that type, which is none of `std_srvs`, and
+everything is known that could be the server. Else, where the names are less alike, or the type says little (those of `std_srvs`), it is
+an info. Nothing is said of a service of a type that no node of the launch serves: it may run elsewhere. What could be there although it
+is not known counts as for topics (LL612).
 
 Several names of a node that are left alone in the same way, by one namespace or by missing remaps, are told once: by LL612 or LL613 where
 there are topics among them.

@@ -2,7 +2,8 @@
 
 Topics without a subscriber are common and no mistake. It is a warning where a node subscribes to the same type under a name that
 is a letter apart; where a remap that would join the two stands in another node and does nothing there, or all other nodes of the
-same program have that name remapped and meet somebody; or where the publishing node does nothing but publish, reaches nobody at all,
+same program have that name remapped and meet somebody; where another launch file of the workspace, or others of the same kind in
+this one, show that the two belong together, as for LL612; or where the publishing node does nothing but publish, reaches nobody at all,
 and the name that somebody subscribes to differs by a namespace or a word. It is an info where only the type speaks for it. Where both
 ends meet nobody, the rule no-publisher (LL612) speaks. Nothing is said while a node of which not everything is known could be the
 subscriber.

@@ -8,7 +8,7 @@ such a node has one of the two names.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
@@ -17,6 +17,7 @@ from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.model import ROS2
 from launchlint.named_tuple import NamedTuple
+from launchlint.rules.judging.examples import Examples
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.judging.package_contents import contents
@@ -71,6 +72,7 @@ class LooseEnds:
         self.graph = view.graph
         self.owners = view.once(owners)
         self._signs = Signs(self.graph, self.owners)
+        self._examples = Examples(view, self.owners)
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
         self._programs = Counter(instance.program for instance in self.graph.instances)
@@ -86,8 +88,7 @@ class LooseEnds:
             ends = [
                 end
                 for end in (channel.offers if offers else channel.uses)
-                if end.certain and not end.action and is_known(end.type) and not self._sleeps(end)
-                if self._candidates(kind, not offers, end.type)
+                if end.certain and not end.action and self._candidates(kind, not offers, end.type)
             ]
             if ends and (doubts := self._beside(channel, offers=offers)) is not None:
                 found = [missed for end in ends if (missed := self._meant(end, doubts)) is not None]
@@ -122,6 +123,10 @@ class LooseEnds:
         instance = self.owners[id(end)]
         offers = end.role in OFFERS
         candidates = self._candidates(end.kind, not offers, end.type)
+        if not is_known(end.type):  # it takes any type: only a slip says what it was meant for
+            self._compared += len(candidates)
+            own = {each.name for each in instance.endpoints}  # a relay from one name to the other made no slip
+            candidates = [each for each in candidates if relation(end.name, each.name) == SLIP and each.name not in own]
         if not candidates or len(candidates) > _MOST_CANDIDATES or not instance.certain or self._compared > _MOST_COMPARISONS:
             return None
         self._compared += sum(len(each.uses if offers else each.offers) for each in candidates)
@@ -130,12 +135,14 @@ class LooseEnds:
             ends = [
                 each
                 for each in (channel.uses if offers else channel.offers)
-                if each.certain and not each.action and each.node != end.node and stands_for(each.type) == stands_for(end.type)
+                if each.certain and not each.action and each.node != end.node and _speak_alike(end, each)
             ]
             if ends and channel.name != end.name:
                 ranked.setdefault(relation(end.name, channel.name), []).append((channel, ends))
         shown = None if SLIP in ranked else self._shown(end, ranked, doubts)
         ranked.pop(TWIN, None)
+        if shown is None and self._sleeps(end):
+            return None
         how = next((each for each in RELATIONS if each in ranked), "") if shown is None else relation(end.name, shown[0].name)
         if how not in ranked:
             return None
@@ -192,12 +199,18 @@ class LooseEnds:
     def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> tuple[Channel, list[Endpoint], str] | None:
         """The other end that more than the names shows to be meant, where there is just one, and what shows it."""
         offers, signs = end.role in OFFERS, self._signs
-        if end.type.startswith(_GENERIC):
-            return None
         everything = [each for others in ranked.values() for each in others]
         loose = [each for each in everything if _is_one_sided(each[0], offers=not offers)]
+        found = self._exemplary(end, everything, loose)
+        if found:
+            if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
+                return None
+            return None if self._are_one_chain(end, found[0][0]) else found[0]
+        if end.type.startswith(_GENERIC) or self._sleeps(end):
+            return None
         same = [each for how in (NAMESPACE, SIBLING) for each in ranked.get(how, ())]
-        found = [(*each, sign) for each in everything if (sign := next(filter(None, (signs.stray_remap(end, one) for one in each[1])), ""))]
+        strays = [(each, [signs.stray_remap(end, one, only_ends=each in loose) for one in each[1]]) for each in everything]
+        found = [(*each, sign) for each, said in strays for sign in [each for each in said if each][:1]]
         if not found and not offers and len(same) == 1 and (sign := self._lost(end, same[0], doubts)):
             found = [(*same[0], sign)]
         elif not found and len(loose) == 1 and self._are_only_loose_ends(end):
@@ -208,10 +221,31 @@ class LooseEnds:
                 signs_of.append(_PRIVATE.format(end.declared))
             if len(everything) == 1 and not doubts:
                 signs_of += (signs.parting_remap(end, each) for each in ends)
+            if len(everything) == 1 and not doubts and end.kind == "service" and not offers and not same:
+                signs_of.append(f"nobody else serves or calls a {end.type} here")
             found = [(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
         if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
             return None
         return None if self._are_one_chain(end, found[0][0]) else found[0]
+
+    def _exemplary(self, end: Endpoint, everything: Others, loose: Others) -> list[tuple[Channel, list[Endpoint], str]]:
+        """The other ends that others of their kind show to be meant, and what shows it."""
+        examples = self._examples
+        found = [each for each in _signed(end, everything, examples.elsewhere) if not self._is_one_of_copies(each, loose)]
+        named = {relation(end.name, channel.name) for channel, _ in everything}
+        named.discard(SIBLING)
+        named.update(relation(end.name, channel.name) for channel, _ in loose)
+        if not found and not named & {NAMESPACE, SIBLING}:
+            found = _signed(end, loose, examples.counterparts)
+            if not found and end.role not in OFFERS and not end.type.startswith(_GENERIC):
+                found = _signed(end, everything, examples.namesake)
+        return found
+
+    def _is_one_of_copies(self, other: tuple[Channel, list[Endpoint], str], loose: Others) -> bool:
+        """Whether another loose end is the same name of the same program: what holds of the one holds of that, too."""
+        channel, ends, _ = other
+        roles = {(self.owners[id(each)].program, each.declared) for each in ends}
+        return any((self.owners[id(each)].program, each.declared) in roles for one, there in loose if one is not channel for each in there)
 
     def _are_one_chain(self, end: Endpoint, other: Channel) -> bool:
         own = self.graph.channels[end.kind, end.name]
@@ -352,9 +386,9 @@ class LooseEnds:
                 if channel.is_hub or channel.is_plumbing:
                     continue
                 for side, ends in ((True, channel.offers), (False, channel.uses)):
-                    for known in _types(ends):
+                    for known in (*_types(ends), *(("",) if any(end.certain for end in ends) else ())):
                         self._by_type.setdefault((channel.kind, side, known), []).append(channel)
-        return self._by_type.get((kind, offers, stands_for(type_)), [])
+        return self._by_type.get((kind, offers, stands_for(type_) if is_known(type_) else ""), [])
 
     @staticmethod
     def _apart(one: Instance, other: Instance) -> tuple[bool, int, str]:
@@ -365,6 +399,16 @@ class LooseEnds:
 def _is_one_sided(channel: Channel, *, offers: bool) -> bool:
     """Whether a name is only offered (``offers``) or only used, by all that is known, and is none that everybody has."""
     return not (channel.uses if offers else channel.offers) and not channel.is_hub and not channel.is_plumbing
+
+
+def _signed(end: Endpoint, others: Others, sign: Callable[[Endpoint, Endpoint], str]) -> list[tuple[Channel, list[Endpoint], str]]:
+    """Those of ``others`` of which a sign says that ``end`` was meant for them, and what it says."""
+    said = [(channel, ends, [text for each in ends if (text := sign(end, each))]) for channel, ends in others]
+    return [(channel, ends, texts[0]) for channel, ends, texts in said if texts]
+
+
+def _speak_alike(end: Endpoint, other: Endpoint) -> bool:
+    return not is_known(end.type) or stands_for(other.type) == stands_for(end.type)
 
 
 def _types(ends: Iterable[Endpoint]) -> set[str]:

@@ -33,12 +33,16 @@ Role = tuple[str, str, str]
 
 
 class _Stray(NamedTuple):
-    """The two sides of a remap, as written, its place, and a node that it stands in (empty where it stands there twice)."""
+    """The two sides of a remap, as written, its place, and a node that it stands in (empty where it stands there twice).
+
+    ``sure``: the node has no such name. Else not all of its names are known: a container of controllers has theirs.
+    """
 
     source: str
     target: str
     place: str
     node: str
+    sure: bool
 
 
 class _Alike(NamedTuple):
@@ -74,11 +78,15 @@ class Signs:
         moved, stays = (end, other) if end.applied else (other, end)
         return f"without that remap they meet on {stays.name}" if moved.unremapped == stays.name else ""
 
-    def stray_remap(self, end: Endpoint, other: Endpoint) -> str:
-        """What it says of a remap that does nothing in its own node and would lead one of the two to the other; empty where none does."""
+    def stray_remap(self, end: Endpoint, other: Endpoint, *, only_ends: bool) -> str:
+        """What it says of a remap that does nothing in its own node and would lead one of the two to the other; empty where none does.
+
+        ``only_ends``: both are loose ends. Then a node that may have the name, though nothing says so, is one that has not.
+        """
         for moved, stays in ((end, other), (other, end)):
             namer = self._owners[id(moved)].namer
-            for stray in () if moved.applied else self._strays.get(moved.unremapped.rpartition("/")[2], ()):
+            strays = () if moved.applied else self._strays.get(moved.unremapped.rpartition("/")[2], ())
+            for stray in (each for each in strays if each.sure or only_ends):
                 sides = [absolute(side, namer.home, namer.node) for side in (stray.source, stray.target)]
                 if sides == [moved.unremapped, stays.name]:
                     return f"a remap of {stray.source} to {stray.target} stands at {stray.place}, where it does nothing"
@@ -150,27 +158,25 @@ class Signs:
 
     @cached_property
     def _strays(self) -> dict[str, list[_Stray]]:
-        """Each remap inside a node that acts on none of its names, or stands there twice, by the last part of its source.
-
-        Of a node that may have more names nobody can say that: a container of controllers has theirs.
-        """
+        """Each remap inside a node that acts on none of its known names, or stands there twice, by the last part of its source."""
         acting: set[Place] = set()
         for instance in self._graph.instances:
             entries: list[Endpoint | Reading] = [*instance.endpoints, *instance.readings]
             for entry in entries:
                 acting.update(each.rule.remap.origin.place for each in entry.applied if each.rule.remap is not None)
-        found: dict[Place, tuple[str, str, str]] = {}
+        found: dict[Place, tuple[str, str, str, bool]] = {}
         for instance in self._graph.instances:
-            for remap in () if instance.is_unknown or any(map(instance.may_have_more, _NAMES)) else instance.node.remaps:
+            sure = not any(map(instance.may_have_more, _NAMES))
+            for remap in () if instance.is_unknown else instance.node.remaps:
                 if remap.source and remap.origin.place not in acting and is_inside(remap, instance):
-                    found[remap.origin.place] = (remap.source, remap.target, instance.name)
+                    found[remap.origin.place] = (remap.source, remap.target, instance.name, sure)
         for problem in self._graph.launch.noticed(RemapReplaced):
             if problem.old == problem.new:
-                found[problem.origin.place] = (problem.key, problem.new, "")
+                found[problem.origin.place] = (problem.key, problem.new, "", True)
         strays: dict[str, list[_Stray]] = {}
-        for place, (source, target, node) in found.items():
+        for place, (source, target, node, sure) in found.items():
             line, _ = place.source.position(place.span.start)
-            stray = _Stray(source, target, f"{place.source.path}:{line}", node)
+            stray = _Stray(source, target, f"{place.source.path}:{line}", node, sure)
             strays.setdefault(source.rpartition("/")[2].lstrip("~"), []).append(stray)
         return strays
 
@@ -179,7 +185,7 @@ class Signs:
         """For each node both sides of the remaps inside it that act on nothing."""
         found: dict[str, list[str]] = {}
         for strays in self._strays.values():
-            for each in strays:
+            for each in (stray for stray in strays if stray.sure):
                 found.setdefault(each.node, []).extend((each.source, each.target))
         return found
 

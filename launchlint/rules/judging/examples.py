@@ -1,0 +1,139 @@
+"""What others of their kind do: which of two loose ends were meant for each other is shown by two others that meet.
+
+- In another launch file of the workspace a remap leads the same name of the same program to the other one.
+- Two others like them meet in this launch: copies of their programs, or names of the same nodes that differ in one word (`left/image`
+  and `right/image`).
+- Another node that says the same name in its code is led to the other one by a remap.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+from launchlint.graph.connections import OFFERS, Endpoint
+from launchlint.graph.names import absolute
+from launchlint.late import late
+from launchlint.model import ROS1
+from launchlint.named_tuple import NamedTuple
+from launchlint.rules.judging.name_places import Owners
+from launchlint.rules.judging.same_definition import stands_for
+from launchlint.rules.view import GraphView
+from launchlint.workspace.looking import Looked, note
+from launchlint.workspace.packages import Packages
+from launchlint.workspace.texts import files_by_word
+
+_LAUNCH_ENDS = (".launch", ".xml", ".test")
+_MOST_FILES = 8
+"""Files that are kept of those that have one remap."""
+_SEPARATORS = late("[/_]+|(?<=[A-Za-z])(?=[0-9])")
+_ARG = late(r"\$\(\s*arg\s+([^\s()]+)\s*\)")
+
+
+class _Written(NamedTuple):
+    """A remap of some program as it is written, and the first files (absolute) that have it."""
+
+    source: str
+    target: str
+    files: tuple[str, ...]
+
+
+class Examples:
+    """The examples for the ends of one graph; ``owners`` as in :mod:`.name_places`."""
+
+    def __init__(self, view: GraphView, owners: Owners) -> None:
+        self._view = view
+        self._owners = owners
+
+    def elsewhere(self, end: Endpoint, other: Endpoint) -> str:
+        """What it says of a remap of one of the two that stands in another launch file of the workspace and would join them; else empty."""
+        if self._view.dialect.name != ROS1:
+            return ""
+        for moved, stays in ((end, other), (other, end)):
+            instance = self._owners[id(moved)]
+            namer = instance.namer
+            for written in self._written.get(instance.program, ()):
+                sides = [absolute(self._filled(side), namer.home, namer.node) for side in (written.source, written.target)]
+                if sides == [moved.unremapped, stays.name] and (file := self._other(written.files)):
+                    return f"{file} starts {instance.program}, too, and remaps {written.source} to {written.target} there"
+        return ""
+
+    def _other(self, files: Sequence[str]) -> str:
+        """The first file that is none of this launch."""
+        found = next((file for file in files if file not in self._own), "")
+        inside = max((each for each in self._view.packages.workspaces if found.startswith(f"{each}/")), key=len, default="")
+        return found[len(inside) :].lstrip("/")
+
+    @cached_property
+    def _own(self) -> frozenset[str]:
+        return frozenset(posixpath.abspath(each.source.file) for each in self._view.documents.values())
+
+    def _filled(self, text: str) -> str:
+        """``text`` with the values that args have here."""
+        return _ARG.sub(lambda found: self._args.get(found[1], found[0]), text)
+
+    @cached_property
+    def _args(self) -> Mapping[str, str]:
+        """The args that have one value in all of the launch."""
+        found: dict[str, set[object]] = {}
+        for each in self._view.launch.declared:
+            found.setdefault(each.name, set()).add(each.default if each.value is None else each.value)
+        return {name: value for name, values in found.items() for value in values if len(values) == 1 and isinstance(value, str)}
+
+    @cached_property
+    def _written(self) -> Mapping[str, Sequence[_Written]]:
+        """The remaps of each program in the launch files of the workspace."""
+        known, looked = self._view.packages.once(_remaps)[0]
+        note(looked)
+        return known
+
+    def counterparts(self, end: Endpoint, other: Endpoint) -> str:
+        """What it says of two others like these two that meet each other in this launch; empty where there are none."""
+        giver, taker = (end, other) if end.role in OFFERS else (other, end)
+        for takes in self._meeting.get((self._owners[id(taker)].program, stands_for(taker.type)), ()):
+            if not _is_like(taker, takes, copies=True):
+                continue
+            for gives in self._view.graph.channels[takes.kind, takes.name].offers:
+                same = self._owners[id(gives)].program == self._owners[id(giver)].program
+                if gives.node != takes.node and same and _is_like(giver, gives, copies=True) and gives.name != giver.name:
+                    return f"{takes.node} and {gives.node} meet on {takes.name} as these two do not"
+        return ""
+
+    def namesake(self, end: Endpoint, other: Endpoint) -> str:
+        """What it says of another node with the name of ``end`` in its code that a remap leads to ``other``; else empty."""
+        if end.applied:
+            return ""
+        for each in self._view.graph.channels[other.kind, other.name].uses:
+            if each.node != end.node and each.certain and each.applied and each.declared.strip("~/") == end.declared.strip("~/"):
+                return f"{each.node} says {each.declared}, too, which a remap leads to {other.name}"
+        return ""
+
+    @cached_property
+    def _meeting(self) -> Mapping[tuple[str, str], Sequence[Endpoint]]:
+        """By program and type those that take what somebody else gives."""
+        found: dict[tuple[str, str], list[Endpoint]] = {}
+        for channel in self._view.graph.channels.values():
+            if not channel.is_hub and not channel.is_plumbing:
+                for each in channel.uses if channel.offers else ():
+                    if each.certain:
+                        found.setdefault((self._owners[id(each)].program, stands_for(each.type)), []).append(each)
+        return found
+
+
+def _is_like(end: Endpoint, other: Endpoint, *, copies: bool) -> bool:
+    """Whether they are the same name of two nodes, or two names of one node that differ in one word or number."""
+    if end.node != other.node:
+        return copies and end.declared == other.declared
+    words, others = _SEPARATORS.split(end.declared), _SEPARATORS.split(other.declared)
+    return len(words) == len(others) and sum(one != two for one, two in zip(words, others, strict=True)) == 1
+
+
+def _remaps(packages: Packages) -> list[tuple[Mapping[str, Sequence[_Written]], Looked]]:
+    """The remaps inside the nodes of all launch files of the workspaces, by program, and what that hangs on."""
+    words, looked = files_by_word(packages.workspaces, _LAUNCH_ENDS, "remaps", _MOST_FILES)
+    found: dict[str, list[_Written]] = {}
+    for word, files in words.items():
+        program, source, target = word.split("\t")
+        found.setdefault(program, []).append(_Written(source, target, files))
+    return [(found, looked)]
