@@ -219,7 +219,7 @@ class LooseEnds:
             related = end.type.partition("/")[0] not in STANDARD or loose[0][0] not in [each[0] for each in ranked.get("", ())]
             if not offers and related and signs.is_waiting_private(end) and all(self._are_together(end, each) for each in ends):
                 signs_of.append(_PRIVATE.format(end.declared))
-            if len(everything) == 1 and not doubts:
+            if len(everything) == 1 and {each.node for each in doubts} <= {end.node, *(each.node for each in ends)}:
                 signs_of += (signs.parting_remap(end, each) for each in ends)
             if len(everything) == 1 and not doubts and end.kind == "service" and not offers and not same:
                 signs_of.append(f"nobody else serves or calls a {end.type} here")
@@ -232,13 +232,13 @@ class LooseEnds:
         """The other ends that others of their kind show to be meant, and what shows it."""
         examples = self._examples
         found = [each for each in _signed(end, everything, examples.elsewhere) if not self._is_one_of_copies(each, loose)]
-        named = {relation(end.name, channel.name) for channel, _ in everything}
-        named.discard(SIBLING)
-        named.update(relation(end.name, channel.name) for channel, _ in loose)
-        if not found and not named & {NAMESPACE, SIBLING}:
-            found = _signed(end, loose, examples.counterparts)
+        if not found:
+            near = [
+                each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)
+            ]
+            found = _signed(end, [each for each in near or loose if each in loose], examples.counterparts)
             if not found and end.role not in OFFERS and not end.type.startswith(_GENERIC):
-                found = _signed(end, everything, examples.namesake)
+                found = _signed(end, near or everything, examples.namesake)
         return found
 
     def _is_one_of_copies(self, other: tuple[Channel, list[Endpoint], str], loose: Others) -> bool:
