@@ -23,6 +23,8 @@ LAST_LINES = 12
 """Lines of a failed build that are shown."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _ERROR = re.compile(r"(?m)^.*(?:\berror\b ?:|CMake Error|\*\*\* \[|undefined reference|No such file|Could NOT find|Could not find).*$")
+# Why a script that CMake calls has failed: what it raised, in two lines where the first ends with a colon. CMake only says that it has.
+_RAISED = re.compile(r"(?m)^Traceback \(most recent call last\):\n(?:[ \t].*\n)+(\S.*(?:(?<=:)\n\S.*)?)$")
 ROS2 = bool(os.environ.get("AMENT_PREFIX_PATH"))
 _VERSION = re.compile(r"\$ROS_VERSION\s*==\s*\W?([12])\b")
 _DEPENDS = {"depend", "build_depend", "build_export_depend", "buildtool_depend", "buildtool_export_depend", "exec_depend", "run_depend"}
@@ -197,7 +199,7 @@ def _run(command: List[str], directory: str, log: str, environment: Dict[str, st
 def _errors(log: str, workspace: str) -> List[str]:
     text = _end_of(log)
     text = re.sub(r"(CMake Error at [^\n]*):\n\s*\n?([^\n]*)", r"\1: \2", text[:KEPT])  # CMake says what is wrong below where it is
-    lines = list(dict.fromkeys(" ".join(found.split())[:300] for found in _ERROR.findall(text)))
+    lines = list(dict.fromkeys(" ".join(found.split())[:300] for found in (*_RAISED.findall(text), *_ERROR.findall(text))))
     if not lines:
         lines = [line.strip()[:300] for line in text.splitlines() if line.strip()][-1:] or ["it failed without a word"]
     return [_harmless(line, workspace) for line in lines[:MOST_ERRORS]]

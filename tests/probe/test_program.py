@@ -297,6 +297,24 @@ def test_what_a_build_says_is_cut_and_made_harmless(tmp_path: Path) -> None:
     ]
 
 
+def test_why_a_script_of_the_build_has_failed_comes_first(tmp_path: Path) -> None:
+    log = tmp_path / "log"
+    log.write_text(
+        "-- Using empy\n"
+        "Traceback (most recent call last):\n"
+        '  File "/usr/share/catkin/cmake/parse_package_xml.py", line 100, in main\n'
+        "    raise InvalidPackage()\n"
+        "catkin_pkg.package.InvalidPackage: Error(s) in package '/ws/src/demo/package.xml':\n"
+        'Invalid email "nobody" for person "somebody"\n'
+        "CMake Error at safe_execute_process.cmake:11 (message):\n"
+        "  execute_process(parse_package_xml.py) returned error code 1\n"
+    )
+    assert load("setup/build")._errors(str(log), "/ws") == [
+        'catkin_pkg.package.InvalidPackage: Error(s) in package \'src/demo/package.xml\': Invalid email "nobody" for person "somebody"',
+        "CMake Error at safe_execute_process.cmake:11 (message): execute_process(parse_package_xml.py) returned error code 1",
+    ]
+
+
 def test_the_compiler_is_told_what_debian_needs(tmp_path: Path) -> None:
     compiler = tmp_path / "c++"
     compiler.write_text('#!/bin/sh\nprintf "%s\\n" "$@"\n')
