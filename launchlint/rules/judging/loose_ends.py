@@ -236,10 +236,21 @@ class LooseEnds:
             near = [
                 each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)
             ]
-            found = _signed(end, [each for each in near or loose if each in loose], examples.counterparts)
-            if not found and end.role not in OFFERS and not end.type.startswith(_GENERIC):
+            found = _signed(
+                end, [each for each in near or loose if each in loose and not self._has_nearer(end, each[0])], examples.counterparts
+            )
+            if not found and end.role not in OFFERS and not end.type.startswith(_GENERIC) and not self._signs.is_left_private(end):
                 found = _signed(end, near or everything, examples.namesake)
         return found
+
+    def _has_nearer(self, end: Endpoint, other: Channel) -> bool:
+        """Whether another loose end on the side of ``end`` has the name of ``other`` in another namespace, and ``end`` has not."""
+        offers = end.role in OFFERS
+        near = (NAMESPACE, SIBLING)
+        if relation(end.name, other.name) in near:
+            return False
+        beside = (each for each in self._candidates(end.kind, offers, end.type) if _is_one_sided(each, offers=offers))
+        return any(relation(each.name, other.name) in near for each in beside)
 
     def _is_one_of_copies(self, other: tuple[Channel, list[Endpoint], str], loose: Others) -> bool:
         """Whether another loose end is the same name of the same program: what holds of the one holds of that, too."""
