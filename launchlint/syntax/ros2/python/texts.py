@@ -18,6 +18,8 @@ from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import NOT_KNOWN, Substitution, Text, unknown
 
 _SLOT = re.compile(r"\{\{|\}\}|\ue000\{stand-in:(\d+)\}|\{(?:[^{}]|\{[^{}]*\})*\}|[{}\ue000\ue001]")
+_SHARE = r"(?:(?<![\w./-])|(?<=://))(?:{})(?![\w.-])"
+"""A directory in a text: the whole of a path, or what one begins with; it may be that of an address."""
 _PLAIN = {
     "LaunchConfiguration": ("var", "variable_name", "default"),
     "EnvironmentVariable": ("env", "name", "default_value"),
@@ -78,14 +80,15 @@ def why(value: Value, what: str) -> str:
 class Texts:
     """Makes texts in one launch file.
 
-    ``shares`` are the directories of packages that the program was given, each with its package: strings that begin with one are said to
-    be in that package. ``gives`` says what performs a substitution of the program's own.
+    ``shares`` are the directories of packages that the program was given, each with its package: paths in strings that begin with one
+    are said to be in that package. ``gives`` says what performs a substitution of the program's own.
     """
 
     def __init__(self, shares: Mapping[str, str]) -> None:
         self._shares = shares
         self.gives: Callable[[Instance, Place], described.Gives] | None = None
         self._stand_ins: list[StandIn | Asked] = []
+        self._directories: tuple[int, re.Pattern[str]] | None = None
 
     def stand_in(self, found: StandIn | Asked) -> Open:
         """A text that stands for what is not known, or not here, as a string of the program."""
@@ -122,7 +125,7 @@ class Texts:
         if isinstance(value, Handle) and value.kind == "Path":
             value = value.state["text"]
         if isinstance(value, str):
-            new = self._string(value, place) if not pieces else [value]
+            new = self._string(value, place)
         elif isinstance(value, Open):
             new = self._slots(value.template, place)
         elif isinstance(value, Handle) and value.kind == "TextSubstitution":
@@ -141,13 +144,18 @@ class Texts:
                 pieces.append(piece)
 
     def _string(self, value: str, place: Place) -> list[str | Substitution]:
-        """A string; one that begins with the directory of a package says so."""
-        if value[:1] == "/":
-            for directory in sorted(self._shares, key=len, reverse=True):
-                if value == directory or value.startswith(directory + "/"):
-                    package = Text((self._shares[directory],), place)
-                    return [Substitution(SHARE, (package,), place), value[len(directory) :]]
-        return [value]
+        """A string; where the directory of a package stands in it, as a path or the beginning of one, it says so."""
+        if not self._shares or "/" not in value:
+            return [value]
+        if self._directories is None or self._directories[0] != len(self._shares):
+            longest_first = sorted(self._shares, key=len, reverse=True)
+            self._directories = len(self._shares), re.compile(_SHARE.format("|".join(map(re.escape, longest_first))))
+        found: list[str | Substitution] = []
+        at = 0
+        for match in self._directories[1].finditer(value):
+            found += [value[at : match.start()], Substitution(SHARE, (Text((self._shares[match[0]],), place),), place)]
+            at = match.end()
+        return [*found, value[at:]]
 
     def _slots(self, template: str, place: Place) -> list[str | Substitution]:
         """A string of which not all is known."""
