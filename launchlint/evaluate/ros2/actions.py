@@ -44,7 +44,6 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
     described.Unset: programs.unset,
     described.Maybe: programs.maybe,
     described.Open: programs.opened,
-    described.Asks: programs.asks,
     described.Unsettled: programs.unsettled,
     described.Fails: programs.fails,
 }

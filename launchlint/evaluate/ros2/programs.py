@@ -154,11 +154,6 @@ def unsettled(walk: Walk, action: described.Unsettled | described.Open) -> None:
     Live(walk, action.place).unsettle()
 
 
-def asks(walk: Walk, action: described.Asks) -> None:
-    """Launch stops here if that is not there."""
-    walk.value(action.what)
-
-
 def fails(walk: Walk, action: described.Fails) -> None:
     """Launch stops here."""
     walk.record(action.problem.but(origin=walk.at(action.problem.place)))

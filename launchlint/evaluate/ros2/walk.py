@@ -85,7 +85,6 @@ _TAGS: dict[type, str] = {
     described.Unset: "UnsetLaunchConfiguration",
     described.Maybe: "maybe",
     described.Open: "open",
-    described.Asks: "asks",
     described.Unsettled: "unsettled",
     described.Fails: "fails",
 }

@@ -92,8 +92,6 @@ class _Carrier:
             if isinstance(action, described.Unsettled):  # it does nothing that a launch file could say
                 self.remarks.append(Remark(action.place, action.reason))
                 continue
-            if isinstance(action, described.Asks):  # what uses that asks for it itself
-                continue
             before = len(self.lost)
             try:
                 made = self._action(action)

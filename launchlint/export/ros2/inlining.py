@@ -56,7 +56,7 @@ _EFFECTS = (
 """What a group keeps to itself."""
 _GONE = (described.Argument, described.Let, described.Unset)
 """What only sets launch configurations."""
-_AS_IT_IS = (described.Open, described.Asks, described.Unsettled, described.Fails, described.ResetEnvironment)
+_AS_IT_IS = (described.Open, described.Unsettled, described.Fails, described.ResetEnvironment)
 
 
 class Inlined(NamedTuple):

@@ -467,14 +467,6 @@ class Open(NamedTuple):
     condition: Condition | None = None
 
 
-class Asks(NamedTuple):
-    """Here a program asks for something and ends where it is not there: a package or a variable, as the substitution in ``what`` does."""
-
-    what: Text
-    place: Place
-    condition: Condition | None = None
-
-
 class Unsettled(NamedTuple):
     """Here a program may end with an error, for a ``reason``."""
 
@@ -495,7 +487,7 @@ Action: TypeAlias = (
     "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
     " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
     " | ReplaceEnvironment | Push | Pop | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Transition | Opaque | Turn | Unset"
-    " | Maybe | Open | Asks | Unsettled | Fails"
+    " | Maybe | Open | Unsettled | Fails"
 )
 
 

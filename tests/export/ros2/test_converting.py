@@ -308,3 +308,16 @@ def test_a_distribution_without_on_exit_loses_the_handler_and_not_the_node(tmp_p
     result = converted(tmp_path, "a.launch.py", ENDING % (NODE, handler), XML, distro="humble")
     assert '<node pkg="demo" exec="a"/>' in result.data.decode()
     assert len(result.lost) == 1
+
+
+def test_a_program_that_asks_for_what_is_not_here_stops_at_the_same_when_it_is_written(tmp_path: Path) -> None:
+    text = (
+        "import os\nfrom ament_index_python.packages import get_package_share_directory\nfrom launch import LaunchDescription\n"
+        "from launch_ros.actions import Node\n\nWHO = os.environ['WHO']\nLEG = get_package_share_directory('leg')\n\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='demo', executable='e', name=WHO, arguments=['--in=' + LEG])])\n"
+    )
+    made = converted(tmp_path, "a.launch.py", text, XML)
+    stops = '  <log message="$(env WHO)"/>\n  <log message="$(find-pkg-share leg)"/>\n'
+    expected = f'<launch>\n{stops}  <node name="$(env WHO)" pkg="demo" exec="e" args="--in=$(find-pkg-share leg)"/>\n</launch>\n'
+    assert (made.data.decode(), lines(made)) == (expected, [])

@@ -40,7 +40,7 @@ def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool
 
 def asks(asked: Asked, place: Place) -> Action:
     """What stands for a program that asks for what may not be here: launch stops there, unless it is."""
-    return described.Asks(Text((Substitution(asked.name, (Text((asked.word,), place),), place),), place), place)
+    return described.Log(Text((Substitution(asked.name, (Text((asked.word,), place),), place),), place), None, place)
 
 
 def _places(raised: Raised, run: Noticing, everything: Place) -> tuple[Place, tuple[tuple[Place, str], ...]]:

@@ -19,8 +19,8 @@ def test_launch_stops_first_and_the_rest_is_told(tmp_path: Path) -> None:
         f"    {NODE.format(repr('n'))}])",
         tmp_path,
     )
-    assert isinstance(stop, described.Asks)
-    assert (spelled(stop.what), stop.place.text) == ("$(find-pkg-share leg)", LEG)
+    assert isinstance(stop, described.Log)
+    assert (spelled(stop.message), stop.place.text) == ("$(find-pkg-share leg)", LEG)
     assert isinstance(include, described.Include)
     assert spelled(include.file) == "$(find-pkg-share leg)/launch/a.launch.py"
     assert isinstance(node, described.Node)
@@ -52,12 +52,12 @@ def test_what_is_made_of_it(value: str, expected: str, tmp_path: Path) -> None:
     *stops, node = actions(f"{head}return LaunchDescription([{NODE.format(value)}])", tmp_path)
     assert isinstance(node, described.Node)
     assert spelled(node.name) == expected
-    assert kinds(tuple(stops)) == ([] if "get('NOT'" in value else ["Asks"])
+    assert kinds(tuple(stops)) == ([] if "get('NOT'" in value else ["Log"])
 
 
 def test_it_is_asked_for_once(tmp_path: Path) -> None:
     found = actions(f"a = {LEG}\nb = {LEG}\nc = os.environ['NOT']\nreturn LaunchDescription()", tmp_path)
-    assert [spelled(each.what) for each in found if isinstance(each, described.Asks)] == ["$(find-pkg-share leg)", "$(env NOT)"]
+    assert [spelled(each.message) for each in found if isinstance(each, described.Log)] == ["$(find-pkg-share leg)", "$(env NOT)"]
 
 
 def test_a_handler_that_takes_the_exception_is_followed(tmp_path: Path) -> None:
@@ -75,4 +75,4 @@ def test_where_the_program_may_not_get_nothing_is_certain(tmp_path: Path) -> Non
 
 def test_what_stops_the_program_later_is_told_behind_it(tmp_path: Path) -> None:
     found = actions(f"leg = {LEG}\nraise ValueError('no')", tmp_path)
-    assert kinds(found) == ["Asks", "Fails", "Open"]
+    assert kinds(found) == ["Log", "Fails", "Open"]
