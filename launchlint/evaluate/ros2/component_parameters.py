@@ -23,8 +23,11 @@ from launchlint.evaluate.ros2.parameters import (
     values,
 )
 from launchlint.evaluate.ros2.parameters import by_rules as _by_rules
+from launchlint.evaluate.ros2.rcl_files import table_of
 from launchlint.evaluate.ros2.typed import TypeFault, load_file, same_type, what
 from launchlint.model import Unknown
+from launchlint.rcl.table import Table, winning
+from launchlint.source import Origin, Place
 from launchlint.syntax.ros2.description import ParameterFile, Text
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import YamlBeyond
@@ -34,13 +37,37 @@ if TYPE_CHECKING:
     from typing import NoReturn
 
     from launchlint.evaluate.ros2.parameters import GlobalSource, Performs
-    from launchlint.source import Origin
     from launchlint.syntax.ros2.description import Parameter, ParameterSource
 
 Typed = tuple[str, Any]
 """Type and value, as :class:`launchlint.rcl.parameter_value.Value` has them; the value may be Unknown, with the type ``unknown``."""
 
 _SCALARS = (bool, int, float, str)
+
+
+class Written:
+    """Where the params of a composable node stand, and which of them a file gives to whatever node matches a pattern."""
+
+    def __init__(self) -> None:
+        self.origins: dict[str, Origin] = {}
+        self.shared: set[str] = set()
+
+    def here(self, names: Iterable[str], origin: Origin) -> None:
+        """In the launch file."""
+        self.origins.update(dict.fromkeys(names, origin))
+        self.shared.difference_update(names)
+
+    def in_file(self, given: Passed, full_name: str, asks: Performs) -> None:
+        """In a file, as far as rcl reads it the same way."""
+        table = None if given.file is None or given.unknown else table_of(given.file, asks)
+        if not isinstance(table, Table):
+            return
+        for_all = {id(each) for key in table.keys.values() if "*" in key.name for each in key.parameters}
+        for name, parameter in winning(table, full_name).items():
+            source, _, span, _ = parameter.written
+            if source is not None:
+                self.origins[name] = Origin(Place(source, span), given.origin.step)
+            (self.shared.add if id(parameter) in for_all else self.shared.discard)(name)
 
 
 def component_parameters(
@@ -50,6 +77,7 @@ def component_parameters(
     namespace: str | None,
     asks: Performs,
     passed: list[Passed] | None = None,
+    written: Written | None = None,
 ) -> tuple[Mapping[str, Typed], bool]:
     """The params that a composable node is given, and whether all of them are known. Raises where launch stops.
 
@@ -60,8 +88,11 @@ def component_parameters(
         namespace: its namespace, if it is given one.
         asks: who performs texts.
         passed: is filled with the files and values that it is given.
+        written: is told where they stand.
     """
     passed = [] if passed is None else passed
+    written = Written() if written is None else written
+    full = posixpath.join(namespace.strip("/"), name.lstrip("/")) if namespace and namespace != "/" else name.lstrip("/")
     sets: list[Mapping[str, Any] | Passed] = []
     for each in in_force:
         if isinstance(each, GlobalParameter):
@@ -78,11 +109,13 @@ def component_parameters(
             assert given is not None  # a file that must exist and does not has stopped launch
             sets.append(given)
             passed.append(given)
+            written.in_file(given, f"/{full}", asks)
         else:
             texts: list[TextValue] = []
-            sets.append(values(source, asks, texts))
-            passed.append(Passed(asks.where(source.place), texts=tuple(texts)))
-    full = posixpath.join(namespace.strip("/"), name.lstrip("/")) if namespace and namespace != "/" else name.lstrip("/")
+            found, origin = values(source, asks, texts), asks.where(source.place)
+            sets.append(found)
+            passed.append(Passed(origin, texts=tuple(texts)))
+            written.here(found, origin)
     return _joined(sets, full, asks)
 
 

@@ -97,7 +97,8 @@ def _load(walk: Walk, met: Met, container: Value, target: Place | None) -> None:
     package, plugin, name = walk.value(component.package), walk.value(component.plugin), walk.optional(component.name)
     namespace = namespace_of(walk, component.namespace, component.place)
     remaps = [*(walk.context.remaps or ()), *(remapping(walk, remap) for remap in component.remaps)]
-    own = _parameters(walk, component, name, namespace)
+    written = component_parameters.Written()
+    own = _parameters(walk, component, name, namespace, written)
     extra = _extra(walk, component)
     note_leaks(walk, component.place, text_of(name) if name else text_of(plugin))
     values: dict[Role, Value | None] = {"name": name, "namespace": namespace, "package": package, "executable": plugin}
@@ -134,13 +135,17 @@ def _load(walk: Walk, met: Met, container: Value, target: Place | None) -> None:
             deferred=here.deferred,
             has_namespace=namespace is not None,
             own=own,
+            own_origins={} if own is None else {each: place for each, place in written.origins.items() if each in own},
+            own_shared=frozenset(written.shared),
             extra_arguments=extra,
             condition_ignored=met.ignored,
         )
     )
 
 
-def _parameters(walk: Walk, component: described.Component, name: Value | None, namespace: Value | None) -> Mapping[str, Typed] | None:
+def _parameters(
+    walk: Walk, component: described.Component, name: Value | None, namespace: Value | None, written: component_parameters.Written
+) -> Mapping[str, Typed] | None:
     in_force = walk.context.parameters or ()
     if not in_force and not component.parameters:
         return {}
@@ -149,7 +154,7 @@ def _parameters(walk: Walk, component: described.Component, name: Value | None, 
     passed: list[Passed] = []
     try:
         own, complete = component_parameters.component_parameters(
-            component.parameters, in_force, name or "", namespace, walk.performer, passed
+            component.parameters, in_force, name or "", namespace, walk.performer, passed, written
         )
         if name:
             full = full_name(namespace or "/", name)
