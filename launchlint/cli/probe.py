@@ -46,8 +46,8 @@ def command(
 ) -> int:
     """Run the nodes that CONFIG.yaml names, and record what they publish, subscribe, serve, call and read in a library.
 
-    They run in a container without a network, one after the other beside a recording ROS master. What is known is on disk at once (in
-    FILE.partial.jsonl), so Ctrl-C loses nothing: --resume goes on.
+    They run in a container without a network, one after the other beside a recording ROS master; those of ROS 2 each in a domain
+    of its own beside an observer. What is known is on disk at once (in FILE.partial.jsonl), so Ctrl-C loses nothing: --resume goes on.
 
     With --unknown the configuration is made from launch files: the programs that they start and that neither launchlint nor their sources
     tell. It is left in .launchlint/unknown.yaml, and what was probed in .launchlint/probed.json, which every command reads.
