@@ -10,6 +10,7 @@ from contextlib import contextmanager
 import click
 
 from launchlint.named_tuple import NamedTuple
+from launchlint.plural import counted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -91,7 +92,8 @@ def command(
     except KeyboardInterrupt:
         watcher.clear()
         if journal.done:
-            _print([f"{len(journal.done)} programs are in {journal.path}: the same command with --resume goes on from there"])
+            kept = f"{counted(len(journal.done), 'program')} {'is' if len(journal.done) == 1 else 'are'} in {journal.path}"
+            _print([f"{kept}: the same command with --resume goes on from there"])
         raise
     finally:
         watcher.clear()

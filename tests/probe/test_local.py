@@ -84,7 +84,7 @@ def test_ctrl_c_loses_nothing_and_leaves_nothing_running(place: Path) -> None:
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130
     assert re.fullmatch(
-        rf"\d programs are in {re.escape(str(partial))}: the same command with --resume .*\n+launchlint: stopped\n", said
+        rf"(?:1 program is|\d programs are) in {re.escape(str(partial))}: the same command with --resume .*\n+launchlint: stopped\n", said
     ), said
     assert processes_with(str(place / "prefix")) == []
     assert not (place / "library.json").exists()

@@ -15,12 +15,12 @@ a private name (`~odom`) that no remap leads anywhere, so that others publish th
 publishes such a name, or has the only other loose end of that type. A remap that would join the two stands in another node, where it does
 nothing, or stands there twice. All other nodes of the same program have that name remapped, and meet somebody. In another launch file of
 the workspace (ROS 1), a remap leads that name of the same program to the other one, and no other node gives the same here. Two others of
-their kind meet: copies of both programs, or names of one node that differ in one word (`left/image` and `right/image`). Another node with
-that name in its code, which is no private one, is led by a remap to what the other one publishes. The two would meet if one of them had
-no remap. Or both nodes talk to nobody else, and nobody else speaks that type. Nothing is said of the first and the last node of a chain,
-of which one hears and the other says the same type, nor of two that a remap parts where what the one says comes, by way of others, of
-what the other one hears, nor of a node that listens to several private names of which a remap leads one somewhere and leaves two or more:
-it may take any of them.
+their kind meet: copies of both programs, or names of one node that differ in one word (`left/image` and `right/image`). Everything is
+known that could be the publisher, and another node with that name in its code, which is no private one, is led by a remap to what the
+other one publishes. The two would meet if one of them had no remap. Or both nodes talk to nobody else, and nobody else speaks that type.
+Nothing is said of the first and the last node of a chain, of which one hears and the other says the same type, nor of two that a remap
+parts where what the one says comes, by way of others, of what the other one hears, nor of a node that listens to several private names of
+which a remap leads one somewhere and leaves two or more: it may take any of them.
 
 Where a node of which not everything is known could be the publisher, and nothing says that it is, only what something shows besides is
 told, or two names that differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the

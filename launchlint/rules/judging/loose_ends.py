@@ -201,7 +201,7 @@ class LooseEnds:
         offers, signs = end.role in OFFERS, self._signs
         everything = [each for others in ranked.values() for each in others]
         loose = [each for each in everything if _is_one_sided(each[0], offers=not offers)]
-        found = self._exemplary(end, everything, loose)
+        found = self._exemplary(end, everything, loose, doubts)
         if found:
             if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
                 return None
@@ -228,10 +228,14 @@ class LooseEnds:
             return None
         return None if self._are_one_chain(end, found[0][0]) else found[0]
 
-    def _exemplary(self, end: Endpoint, everything: Others, loose: Others) -> list[tuple[Channel, list[Endpoint], str]]:
+    def _exemplary(
+        self, end: Endpoint, everything: Others, loose: Others, doubts: tuple[Possible, ...]
+    ) -> list[tuple[Channel, list[Endpoint], str]]:
         """The other ends that others of their kind show to be meant, and what shows it."""
         examples = self._examples
-        found = [each for each in _signed(end, everything, examples.elsewhere) if not self._is_one_of_copies(each, loose)]
+        # Who publishes may have more results than anybody needs: only what waits for one was meant to get it.
+        wanted = loose if end.role in OFFERS else everything
+        found = [each for each in _signed(end, wanted, examples.elsewhere) if not self._is_one_of_copies(each, loose)]
         if not found:
             near = [
                 each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)
@@ -239,7 +243,8 @@ class LooseEnds:
             found = _signed(
                 end, [each for each in near or loose if each in loose and not self._has_nearer(end, each[0])], examples.counterparts
             )
-            if not found and end.role not in OFFERS and not end.type.startswith(_GENERIC) and not self._signs.is_left_private(end):
+            certain = not doubts and not end.type.startswith(_GENERIC) and not self._signs.is_left_private(end)
+            if not found and end.role not in OFFERS and certain:
                 found = _signed(end, near or everything, examples.namesake)
         return found
 
