@@ -91,6 +91,8 @@ class Examples:
     def counterparts(self, end: Endpoint, other: Endpoint) -> str:
         """What it says of two others like these two that meet each other in this launch; empty where there are none."""
         giver, taker = (end, other) if end.role in OFFERS else (other, end)
+        if self._owners[id(giver)].program == self._owners[id(taker)].program:
+            return ""  # the links of a chain are all alike, and its two ends are for others
         for takes in self._meeting.get((self._owners[id(taker)].program, stands_for(taker.type)), ()):
             if not _is_like(taker, takes, copies=True):
                 continue
