@@ -19,8 +19,10 @@ from launchlint.workspace.packages import Packages
 PREFIX = "project "
 NOTE = "{} is a copy of a public package, and that is where to mend it"
 NAMED = "{} is called as a public package, and says that it is from elsewhere: that is where to mend it"
+SIGNED = "{} has a README, and a licence of people who made none of the packages here that have none: that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
-_LAUNCH_ENDS = (".launch", ".xml", ".test")
+_ENDS = (".launch", ".xml", ".test", ".py", ".yaml", ".yml")
+"""Of launch files, and of what they load."""
 _UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL508", "LL601", "LL623", "LL702"))
 """By their IDs: in most runs none of these modules has to be loaded for this. LL701 says it itself, since it proposes a line."""
 
@@ -33,23 +35,46 @@ class _Origin(NamedTuple):
     is_public: bool = False
 
 
+_OWN = _Origin("")
+
+
 def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
     """``findings``, those in copies at a milder level, where they are untidy, or only launch files of the copy lead to them.
 
     Then warnings are infos, and errors are, too, in copies of public packages; in other projects these are warnings of one cause.
     """
-    copies: dict[str, _Origin] = {}
+    origins = _Origins(known)
     for finding in findings:
         untidy = finding.rule in _UNTIDY and finding.severity is Severity.WARNING
-        if untidy or (finding.severity > Severity.INFO and finding.location.path.endswith(_LAUNCH_ENDS)):
-            package = known.packages.package_of(known.file(finding.location.path))
-            if package is not None:
-                if package.directory not in copies:
-                    copies[package.directory] = _origin(package, known.packages)
-                origin = copies[package.directory]
-                if origin.note and (untidy or (origin.directory and _is_its_own(finding, origin.directory, known))):
-                    finding = _milder(finding, origin)
+        if untidy or (finding.severity > Severity.INFO and finding.location.path.endswith(_ENDS)):
+            origin = origins.of(finding.location.path)
+            if origin.note and (untidy or (origin.directory and origins.alone_lead_to(finding, origin))):
+                finding = _milder(finding, origin)
         yield finding
+
+
+class _Origins:
+    """Whose copies the packages are in which something is told of."""
+
+    def __init__(self, known: Known) -> None:
+        self._known = known
+        self._of: dict[str, _Origin] = {}
+
+    def of(self, path: str) -> _Origin:
+        """Of the package of the file that is shown as ``path``."""
+        package = self._known.packages.package_of(self._known.file(path))
+        if package is None:
+            return _OWN
+        if package.directory not in self._of:
+            self._of[package.directory] = _origin(package, self._known.packages)
+        return self._of[package.directory]
+
+    def alone_lead_to(self, finding: Finding, origin: _Origin) -> bool:
+        """Whether only launch files of the copy lead to ``finding``, or of copies that are public as it is."""
+        paths = {finding.location.path, *self._known.reached.get(finding.key, ())}
+        return all(
+            self._known.file(path).startswith(f"{origin.directory}/") or (origin.is_public and self.of(path).is_public) for path in paths
+        )
 
 
 def told_together(findings: Sequence[Finding]) -> Finding:
@@ -76,15 +101,9 @@ def _milder(finding: Finding, origin: _Origin) -> Finding:
     return finding._replace(severity=Severity.INFO, notes=notes, cause=finding.cause and f"{finding.cause}; {origin.note}")
 
 
-def _is_its_own(finding: Finding, directory: str, known: Known) -> bool:
-    """Whether only launch files in ``directory`` lead to ``finding``."""
-    paths = {finding.location.path, *known.reached.get(finding.key, ())}
-    return all(known.file(path).startswith(f"{directory}/") for path in paths)
-
-
 def _origin(package: Package, packages: Packages) -> _Origin:
     """Whose copy a package is."""
-    from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_released, kept_whole
+    from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_released, is_signed, kept_whole
 
     if is_copy(package, packages):
         return _Origin(NOTE.format(package.name), package.directory, is_public=True)
@@ -94,4 +113,6 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         return _Origin(note, project, is_public=is_released(package))
     if is_from_elsewhere(package, packages):
         return _Origin(NAMED.format(package.name))
-    return _Origin("")
+    if is_signed(package, packages):
+        return _Origin(SIGNED.format(package.name))
+    return _OWN

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType
 
 from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
@@ -21,6 +22,8 @@ _WORD = late(r"(?<![\w-])([A-Za-z]\w*_\w*)(?![\w-])")
 _QUOTED = late(r"(?:(?<=`)|(?<=\w/))([A-Za-z][\w-]{0,200})(?=`|[\s)>.\"']|$)")
 # A variable that people are told to set.
 _EXPORTED = late(r"\bexport[ \t]+([A-Za-z_]\w{0,200})=")
+# What people are told to call a map that they make themselves (map_server's map_saver).
+_SAVED = late(r"\bmap_saver(?:_cli)?\b[^\n]{0,200}?[ \t]-f[ \t=]+[\"'`]?([^\s\"'`]{1,200})")
 _INSTALL = late(r"\binstall", re.IGNORECASE)
 # A name alone in its line is a heading: what is documented here, perhaps under a former name.
 _HEADING = late(r"^[# \t]*[\w-]+[ \t\r:]*$", re.MULTILINE)
@@ -29,12 +32,14 @@ _HEADING = late(r"^[# \t]*[\w-]+[ \t\r:]*$", re.MULTILINE)
 class Mentions(NamedTuple):
     """Each name, with the first file (absolute) that has it, and the places that were looked at.
 
-    ``installing`` are the lines in which people are told to install something.
+    ``installing`` are the lines in which people are told to install something, ``saved`` the names, without the path and the end, of maps
+    that they are told to save, each with the file that says so.
     """
 
     known: Mapping[str, str]
     looked: frozenset[str]
     installing: tuple[str, ...] = ()
+    saved: Mapping[str, str] = MappingProxyType({})
 
 
 def read_documents(directories: Iterable[str]) -> Mentions:
@@ -45,13 +50,16 @@ def read_documents(directories: Iterable[str]) -> Mentions:
     found: dict[str, str] = {}
     looked: set[str] = set()
     installing: dict[str, None] = {}
+    saved: dict[str, str] = {}
     for file, text in texts(_places(directories), _MOST_FILES, looked):
         installing.update(dict.fromkeys(install_lines(text)))
+        for match in _SAVED.finditer(text):
+            saved.setdefault(os.path.basename(match[1]), file)
         text = _HEADING.sub("", text)
         for match in (*_WORD.finditer(text), *_QUOTED.finditer(text), *_EXPORTED.finditer(text)):
             if len(match[1]) >= _SHORTEST:
                 found.setdefault(match[1].removesuffix(".git"), file)
-    return Mentions(found, frozenset(looked), tuple(installing))
+    return Mentions(found, frozenset(looked), tuple(installing), saved)
 
 
 def install_lines(text: str) -> list[str]:

@@ -10,20 +10,24 @@ from launchlint.rules.judging.joined import joined
 
 _COPIES = 3
 """Packages that lack the same of which nobody wants to read one by one."""
+_MANY = 3
+"""Packages that two do not lack alike by chance."""
 
 
 def told_of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for several packages that lack the same two or more packages: one was made after the other, or is the same, kept twice.
 
-    ``findings`` are about one ``package.xml`` each; :attr:`Finding.about` says how many packages it lacks, which ones in words, then each
-    of them, and nothing where it is one. Of one that is kept twice, what one copy lacks besides is told of that one, with the other.
+    Two packages have to lack three. ``findings`` are about one ``package.xml`` each; :attr:`Finding.about` says how many packages it
+    lacks, which ones in words, then each of them, and nothing where it is one. Of one that is kept twice, what one copy lacks besides is
+    told of that one, with the other.
     """
     alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
     for finding in _of_one_name(findings):
         alike.setdefault((finding.severity, finding.about[:2] or (finding.message,)), []).append(finding)
     for (_, lack), several in alike.items():
         called = {_called(each) for each in several}
-        if len(several) >= (2 if len(called) == 1 else _COPIES) and several[0].about:
+        enough = 2 if len(called) == 1 or len(_lacking(several[0])) >= _MANY else _COPIES
+        if len(several) >= enough and several[0].about:
             several = [joined(several)._replace(message=_say(len(several), lack))]
         yield from several
 

@@ -21,6 +21,7 @@ class Made(NamedTuple):
 
 _DEEPEST = 60
 _KEEPERS = (".gitkeep", ".keep", ".gitignore", ".gitattributes", ".placeholder", ".empty", "empty", "placeholder", "readme")
+_MAP_ENDS = (".yaml", ".pgm", ".png")
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 
 
@@ -45,8 +46,9 @@ def malformed(file: str) -> str:
 def made(path: str, view: LaunchView, root: str) -> Made | None:
     """What makes the file at ``path`` (absolute), which is not here; ``None`` where nothing is known to.
 
-    That is a submodule of git, a command of the package's CMake files, else a template beside it, else whatever makes what ``.gitignore``
-    names, else who fills a directory that is kept empty, else a node, else one of another launch file of the package.
+    That is a submodule of git, a command of the package's CMake files, people who save a map, else a template beside it, else whatever
+    makes what ``.gitignore`` names, else who fills a directory that is kept empty, else a node, else one of another launch file of the
+    package.
     """
     known = view.packages.once(_told)
     key = path, root  # of all configurations alike
@@ -96,6 +98,9 @@ def _made_outside(path: str, packages: Packages, root: str) -> Made | None:
     how = None if package is None else contents(packages).made(package).by(path)
     if how is not None:
         return Made(f"the build makes it: {how}", "build the package before this is started")
+    saved = _saved(path, packages)
+    if saved is not None:
+        return Made(f"people are told to make it with map_saver ({shown(saved, root)})", "make a map before this is started")
     template = template_of(path)
     if template is not None:
         name = shown(template, root)
@@ -109,6 +114,12 @@ def _made_outside(path: str, packages: Packages, root: str) -> Made | None:
         return Made(why, "see that it is there before this is started")
     why = f"git ignores it ({ignore.pattern} in {shown(ignore.file, root)}), so that it is made, or put there, on each machine"
     return Made(why, "see that it is there before this is started")
+
+
+def _saved(path: str, packages: Packages) -> str | None:
+    """The document that tells people to save a map under the name of ``path``."""
+    stem, end = posixpath.splitext(posixpath.basename(path))
+    return packages.documents().saved.get(stem) if end in _MAP_ENDS else None
 
 
 def _kept_empty(path: str) -> str | None:

@@ -220,7 +220,7 @@ def _say_hidden(hidden: Hidden, packages: Packages, home: Package | None) -> Jud
     why = f"the package lies in {_shown(hidden.directory, packages)}, and {marker} hides it from {finders}"
     off = home is not None and packages.is_hidden(home.directory)
     severity = Severity.INFO if off else Severity.ERROR if packages.complete else Severity.WARNING
-    return Judgement(severity, why, f"remove {marker}, or leave out what uses {hidden.name}")
+    return Judgement(severity, why, f"remove {marker}, or leave out what uses {hidden.name}", reason=f"hidden by {marker}")
 
 
 def _shown(path: str, packages: Packages) -> str:

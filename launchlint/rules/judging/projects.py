@@ -7,6 +7,7 @@ authors, addresses), what a directory holds that only the root of a repository h
 from __future__ import annotations
 
 import posixpath
+import re
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -47,6 +48,14 @@ _TEMPLATE = "@todo.todo"
 """The end of the address that ``catkin_create_pkg`` writes for who called it."""
 _REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
+_LICENCE = late(r"<license\b[^>]*>([^<]*)<")
+_NAME = late(r"<(?:maintainer|author)\b[^>]*>([^<]*)<")
+_COMMENT = late(r"<!--.*?-->", re.DOTALL)
+_NO_LICENCE = "TODO"
+"""What ``catkin_create_pkg`` writes for a licence."""
+_ASSISTED = ".setup_assistant"
+"""Beside it, the licence is what MoveIt's Setup Assistant always writes."""
+_SHORTEST_NAME = 3
 _WIKI = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/[^\s<]")
 _FIRST_AND_BEHIND_LAST = ("/", "0")
 """What the names of all that lies below a directory go on with, and the sign behind that."""
@@ -76,6 +85,71 @@ def is_from_elsewhere(home: Package, packages: Packages) -> bool:
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
     return bool(_origins(manifest)) or (not _of_template(manifest.people) and workspace.left_as_made >= _SOME)
+
+
+def is_signed(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` has a README, a licence and people who have nothing to do with the several packages here that have no licence.
+
+    Whoever leaves ``TODO`` for the licence of each package that they make here has got this one from somebody who did not.
+    """
+    return packages.once(_Signed).from_elsewhere(home)
+
+
+class _Signed:
+    """The packages that have a licence and people, and those that have none."""
+
+    def __init__(self, packages: Packages) -> None:
+        self._found: dict[str, tuple[bool, Looked]] = {}
+        self._workspaces: list[tuple[str, _Licences]] = []
+        for root, place in zip(packages.workspaces, packages.places, strict=False):
+            manifests = {each.directory: each.manifest for each in place.everything if each.manifest is not None}
+            self._workspaces.append((root.rstrip("/"), _Licences(manifests)))
+
+    def from_elsewhere(self, home: Package) -> bool:
+        """As :func:`is_signed`."""
+        if home.directory not in self._found:
+            self._found[home.directory] = watched(partial(self._is_from_elsewhere, home))
+        found, looked = self._found[home.directory]
+        note(looked)
+        return found
+
+    def _is_from_elsewhere(self, home: Package) -> bool:
+        manifest = home.manifest
+        if manifest is None or not _is_licensed(manifest) or not manifest.people or _of_template(manifest.people):
+            return False
+        listed = names(home.directory)
+        if not _has_readme(listed) or _ASSISTED in listed:
+            return False
+        return any(licences.has_others(manifest) for root, licences in self._workspaces if _is_in(home.directory, root))
+
+
+class _Licences:
+    """Which packages of one workspace have no licence, and whose they are."""
+
+    def __init__(self, manifests: Mapping[str, Manifest]) -> None:
+        bare = {each: manifest for each, manifest in manifests.items() if not _is_licensed(manifest)}
+        self._bare = len(bare)
+        self._words = frozenset[str]().union(*map(_words, bare.values()))
+        self._people = Counter(person for manifest in manifests.values() for person in manifest.people)
+        self._bare_people = _people(bare.values())
+
+    def has_others(self, manifest: Manifest) -> bool:
+        """Whether several packages, and more than its people have, are without a licence, and none of them is theirs."""
+        if not manifest.people.isdisjoint(self._bare_people) or not _words(manifest).isdisjoint(self._words):
+            return False  # james@todo.todo may well be James
+        theirs = max(self._people[person] for person in manifest.people)
+        return self._bare >= max(_SOME, theirs)
+
+
+def _is_licensed(manifest: Manifest) -> bool:
+    return any(each.strip() not in ("", _NO_LICENCE) for each in _LICENCE.findall(_COMMENT.sub("", manifest.source.text)))
+
+
+def _words(manifest: Manifest) -> frozenset[str]:
+    """The names of the people, word by word, and what stands before the ``@`` in their addresses."""
+    text = _COMMENT.sub("", manifest.source.text)
+    words = [*" ".join(_NAME.findall(text)).lower().split(), *(each.partition("@")[0] for each in manifest.people)]
+    return frozenset(each for each in words if len(each) >= _SHORTEST_NAME)
 
 
 def kept_whole(home: Package, packages: Packages) -> str:

@@ -49,6 +49,8 @@ from launchlint.syntax.parts import Substitution
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Element
 
+_SOURCES = (".py", ".cpp", ".cc", ".c", ".sh")
+
 RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
@@ -109,9 +111,14 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
             if own
             else f'give the test a name as well: name="{good}"',
             fix=_rename(problem, view, name, good) if own and not meant else None,
-            cause=f"called {name}" if own and is_literal(problem.place, name) and not left_over_in(name, view) else "",
+            cause=_cause(name) if own and is_literal(problem.place, name) and not left_over_in(name, view) else "",
             shared_cause=left_over_in(name, view),
         )
+
+
+def _cause(name: str) -> str:
+    """What several have in common: that they are called as the source files are, or else the name."""
+    return "called as its source is" if name.endswith(_SOURCES) else f"called {name}"
 
 
 def together(findings: Sequence[Finding]) -> Finding:

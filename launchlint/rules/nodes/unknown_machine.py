@@ -79,6 +79,7 @@ def tell(problem: UnknownMachine, view: LaunchView) -> Iterator[Finding]:
         ),
         help=did_you_mean(name, known) or f'define it: <machine name="{name}" address="…"/>',
         fix=_fix(problem, view, name, closest(name, known)),
+        cause="" if known else f"no machine {name}, {fragment}",
     )
 
 

@@ -12,7 +12,8 @@ where three or more lack the same two packages or more, as those that were made 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
 other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
 need it by which people try something out (`demo.launch`, `test_arm.launch`, beside more that are called otherwise; not tests that machines
-run); and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, a
+run), or it is turtlesim, with which ROS is learned;
+and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, a
 simulation and the controllers that nothing else of the package starts, the assistant itself), in a package with its `.setup_assistant`. It
 is one, without a fix, where a comment of the launch file or a README tells people to install the package themselves, where only launch
 files need it that were put aside (in a directory `old`, `deprecated`, `attic` …), where the launch file lies among the tests and nothing
@@ -112,6 +113,8 @@ if TYPE_CHECKING:
 ELSEWHERE = "it works only where something else brings {} along"
 LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
+_EXERCISE = "turtlesim"
+"""What ROS is learned with; no robot needs it."""
 BUILT_ONLY = "for building only"
 TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
@@ -195,7 +198,7 @@ def check(view: FileView) -> Iterator[Finding]:
         closes = way is not None and (way.built or is_test or ros2)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
         reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages) or idle
-        tried = not (tested or reason) and is_trial(file, home)
+        tried = not (tested or reason) and (name == _EXERCISE or is_trial(file, home))
         yield RULE.at(
             place if at is None else place._replace(span=at),
             f"{manifest_path} {says}, {'and' if only else 'which'} {document.source.path} {how} {'it' if only else ''}".rstrip(),

@@ -274,8 +274,16 @@ def _cause(
     if near is not None and inner.startswith("_"):  # as on a command line, in the whole file
         return f"{path}: {owner.program} _{default}"
     if near is not None:
-        return f"{owner.program} {_NUMBER.sub('#', inner)} for {_NUMBER.sub('#', near)}{default}"  # of one that is written for each arm
+        wrong, right = _wrong_word(inner, near)
+        return f"{owner.program} {_NUMBER.sub('#', wrong)} for {_NUMBER.sub('#', right)}{default}"  # of one that is written for each arm
     return f"{path}: {owner.program}" if several else f"{owner.program} {inner}"
+
+
+def _wrong_word(inner: str, near: str) -> tuple[str, str]:
+    """The only word that differs, as it is written and as it is read: several params may have it; else the whole names."""
+    words, others = (each.replace("/", "_").split("_") for each in (inner, near))
+    apart = [pair for pair in zip(words, others, strict=True) if pair[0] != pair[1]] if len(words) == len(others) else []
+    return apart[0] if len(apart) == 1 else (inner, near)
 
 
 def _is_default(value: Any, name: str, owner: Instance, view: GraphView) -> bool:

@@ -74,6 +74,7 @@ _EXPONENT = late(r"([-+]?[0-9]+)(\.[0-9]*)?[eE]([-+]?)([0-9]+)")
 
 
 _PRODUCT = late(r"\s*(?:[\d.]+|pi)(?:\s*[*/]\s*(?:[\d.]+|pi)){1,8}\s*", re.IGNORECASE)
+_LIST = late(r"\[[^\[\]]*\]")
 _FACTOR = late(r"([*/])\s*([\d.]+|pi)", re.IGNORECASE)
 
 
@@ -131,7 +132,7 @@ def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Find
     """The findings about one file share a cause, also with those about a copy of it: all params in it that are wrong in the same way.
 
     So do those of one program to which one number is given that is no whole one: it was copied from param to param; and all
-    products and quotients, which whoever writes one expects roslaunch to compute.
+    products and quotients, which whoever writes one expects roslaunch to compute; and all lists that a package is given by `<param>`.
     """
     in_file: dict[tuple[str, str], set[str]] = {}
     for setting, finding in found:
@@ -143,6 +144,8 @@ def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Find
         of_value = f"{finding.topic.partition(' ')[0]} {shown(setting.value)}" if finding.label == _ROUNDED else ""
         if isinstance(setting.value, str) and _PRODUCT.fullmatch(setting.value):
             of_value = f"{finding.label}: a calculation, which nobody makes"
+        elif setting.tag == "param" and isinstance(setting.value, str) and _LIST.fullmatch(setting.value.strip()):
+            of_value = f"{finding.topic.partition('/')[0]} {finding.label}: a list, of which <param> makes a text"
         yield finding._replace(cause=of_file or of_value or f"{setting.tag} {finding.topic} {_mistake(setting, finding)}")
 
 

@@ -55,7 +55,7 @@ The remap does nothing, nobody says so, and the node goes on talking under the n
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, OFFERS, ConnectionGraph, Instance
@@ -65,6 +65,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.plural import listed
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.name_places import is_inside
 from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
 from launchlint.rules.judging.other_file import root_of
@@ -207,12 +208,24 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
         topic=topic,
         fix=None if topic or advice is None else _fix(origin, advice, view),
         cause=_cause(origin, instance, severity, written, advice) if len(misses) == 1 else "",
+        about=(instance.program.partition("/")[0], written),
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for programs of one package of which the same remap is told, written alike: one launch file was made from the other."""
+    alike: dict[tuple[Severity, tuple[str, ...], str], list[Finding]] = {}
+    for finding in findings:
+        alike.setdefault((finding.severity, finding.about, finding.location.text), []).append(finding)
+    for several in alike.values():
+        yield from [joined(several)] if len(several) > 1 and several[0].about else several
 
 
 def _cause(origin: Origin, instance: Instance, severity: Severity, written: str, advice: _Advice | None) -> str:
     """What holds for several remaps of one program, or for one of them in several files, or for all below one name in a file."""
     below = written.rpartition("/")[0]
+    if below and below == instance.name.rpartition("/")[2] and severity is Severity.WARNING:
+        return f"{instance.program} {severity.word} {written[len(below) :]} below its own name {'' if advice is None else advice.text}"
     if kind(written) == "relative" and below and severity is Severity.WARNING:
         return f"{instance.program} {severity.word} {origin.place.source.path} below {below}"
     reason = "other names" if advice is None else advice.habit or ("in vain" if advice.remove else f"{written} {advice.text}")
