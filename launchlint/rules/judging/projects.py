@@ -14,6 +14,7 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 
 from launchlint.late import late
+from launchlint.library.shipped import is_in_library
 from launchlint.workspace.looking import Looked, is_file, names, note, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
@@ -257,7 +258,7 @@ class _Projects:
             return True
         licensed = not _LICENCES.isdisjoint(each.partition(".")[0].lower() for each in listed)
         manifest = self._manifests.get(directory)
-        if not licensed or (manifest is not None and manifest.name not in public_names()):
+        if not licensed or (manifest is not None and not _is_public(manifest.name)):
             return False
         return _has_readme(listed) or (manifest is None and self._holds_released(directory))
 
@@ -293,7 +294,7 @@ class _Workspace:
         self._from_origins: dict[str, set[int]] = {}
         self._public: Counter[str] = Counter()
         for number, (_, name, manifest) in enumerate(self._known):
-            if name in public_names():
+            if _is_public(name):
                 self._public[name] += 1
             for person in manifest.people:
                 self._of_people.setdefault(person, set()).add(number)
@@ -308,7 +309,7 @@ class _Workspace:
         theirs_beside = sum(posixpath.dirname(self._known[each][0]) == beside for each in of_people)
         came_along = self._in[beside] < self._count and theirs_beside == self._known_in[beside]
         alike = of_people | _united(self._from_origins, _origins(manifest))
-        related = [self._known[each][0] for each in alike if self._known[each][1] not in public_names()]
+        related = [self._known[each][0] for each in alike if not _is_public(self._known[each][1])]
         theirs = sum(not (came_along and posixpath.dirname(each) == beside) for each in related)
         public = self._public.total() - self._public[home.name]
         own = len(self._known) - self._public.total() - len(related)
@@ -319,8 +320,13 @@ def _united(index: Mapping[str, set[int]], keys: Iterable[str]) -> set[int]:
     return set().union(*(index.get(each, ()) for each in keys))
 
 
+def _is_public(name: str) -> bool:
+    """Whether somebody published a package of this name: it is in the public index, or the library that launchlint ships knows it."""
+    return name in public_names() or is_in_library(name)
+
+
 def _is_released(directory: str, name: str) -> bool:
-    return name in public_names() and is_file(posixpath.join(directory, CHANGES))
+    return _is_public(name) and is_file(posixpath.join(directory, CHANGES))
 
 
 def _is_of_others(home: Package, packages: Packages) -> bool:
@@ -329,7 +335,7 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     That is: they are not public, and at most a few, which came with it, have its people or are from its owner; or several are not public,
     and none of these is theirs but those beside it.
     """
-    if home.manifest is None or home.name not in public_names():
+    if home.manifest is None or not _is_public(home.name):
         return False
     return bool(home.manifest.people) and packages.once(_Workspaces).around(home.directory).is_of_others_than(home, home.manifest)
 

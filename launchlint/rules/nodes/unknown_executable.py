@@ -142,7 +142,8 @@ def check(view: GraphView) -> Iterator[Finding]:
             notes.append(f"the arg {left_empty} has an empty default: whoever starts this file gives it")
         severity = Severity.INFO if left_empty else Severity.ERROR if certain else Severity.WARNING
         others = contents(view.packages).having(name)
-        reason = name if near and known.names else f"in {' '.join(others)}" if others else _NONE
+        left_out = next((end for end in _SCRIPT_ENDS if near == f"{name}{end}"), "")
+        reason = f"without {left_out}" if left_out else name if near and known.names else f"in {' '.join(others)}" if others else _NONE
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {name}",

@@ -225,7 +225,7 @@ def _cause(origin: Origin, instance: Instance, severity: Severity, written: str,
     """What holds for several remaps of one program, or for one of them in several files, or for all below one name in a file."""
     below = written.rpartition("/")[0]
     if below and below == instance.name.rpartition("/")[2] and severity is Severity.WARNING:
-        return f"{instance.program} {severity.word} {written[len(below) :]} below its own name {'' if advice is None else advice.text}"
+        return f"{instance.program} {severity.word} below its own name {'' if advice is None else advice.text}"
     if kind(written) == "relative" and below and severity is Severity.WARNING:
         return f"{instance.program} {severity.word} {origin.place.source.path} below {below}"
     reason = "other names" if advice is None else advice.habit or ("in vain" if advice.remove else f"{written} {advice.text}")
