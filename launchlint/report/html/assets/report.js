@@ -644,7 +644,7 @@ ${counted(about.nodes, "node")}`;
   var DOWNWARDS = 4;
   var GAIN = 0.9;
   var ROWS = [1, 0.4];
-  var ROWS_ANYWHERE = [0.75, 0.5];
+  var ROWS_ANYWHERE = 0.75;
   var KEPT = 600;
   var OPTIONS = {
     "elk.algorithm": "layered",
@@ -698,11 +698,8 @@ ${counted(about.nodes, "node")}`;
         if (best.width <= Math.min(LONG, screen.width) || best.width < WIDER * screen.aspect * best.height && !isNarrow(screen)) break;
         await inRows2("ARD", ratio, false);
       }
-      for (const ratio of ROWS_ANYWHERE) {
-        const [width, height] = [screen.width, screen.width / screen.aspect];
-        if (best.width <= width && best.height <= height || best.width * best.height > 1.2 * width * height) break;
-        await inRows2("MSD", ratio, true);
-      }
+      const [width, height] = [screen.width, screen.width / screen.aspect];
+      if ((best.width > width || best.height > height) && best.width * best.height < 1.2 * width * height) await inRows2("MSD", ROWS_ANYWHERE, true);
     }
     return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names2);
   }

@@ -56,7 +56,7 @@ const GAIN = 0.9;
 /** Forms of rows that are tried: width by height, against the screen's. */
 const ROWS = [1, 0.4];
 /** The same where names are still too small to be read: there rows end anywhere, and not only where few lines are cut. */
-const ROWS_ANYWHERE = [0.75, 0.5];
+const ROWS_ANYWHERE = 0.75;
 /** Parts whose layout is kept, by all that it depends on. */
 const KEPT = 600;
 
@@ -133,12 +133,9 @@ async function run(engine, part, graph, names, screen) {
       if (best.width <= Math.min(LONG, screen.width) || (best.width < WIDER * screen.aspect * best.height && !isNarrow(screen))) break;
       await inRows("ARD", ratio, false);
     }
-    for (const ratio of ROWS_ANYWHERE) {
-      const [width, height] = [screen.width, screen.width / screen.aspect];
-      // What is far too large for any form is not tried.
-      if ((best.width <= width && best.height <= height) || best.width * best.height > 1.2 * width * height) break;
-      await inRows("MSD", ratio, true);
-    }
+    const [width, height] = [screen.width, screen.width / screen.aspect];
+    // What is far too large for any form is not tried.
+    if ((best.width > width || best.height > height) && best.width * best.height < 1.2 * width * height) await inRows("MSD", ROWS_ANYWHERE, true);
   }
   return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names);
 }
