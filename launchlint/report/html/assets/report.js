@@ -4255,6 +4255,7 @@ ${counted(about.nodes, "node")}`;
     ["action client", ["calls action", "serves it", "Action clients"]]
   ]);
   var MOST_DOUBTED = 3;
+  var MOST_NAMED = 4;
   var ROLE_ORDER = [...ROLES.keys()];
   var words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "uses it", role];
   var does = (role) => words(role)[0];
@@ -4287,7 +4288,11 @@ ${counted(about.nodes, "node")}`;
   }
   function when(entry, only2) {
     if (only2.length === 0) return "";
-    const names2 = (those2) => those2.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
+    const names2 = (those2) => {
+      const named = those2.map((each) => configurationName(entry.configurations[each] ?? ""));
+      if (named.length > MOST_NAMED + 1) named.splice(MOST_NAMED, named.length, `${named.length - MOST_NAMED} others`);
+      return named.join(" or ");
+    };
     const others = entry.configurations.map((_, index) => index).filter((index) => !only2.includes(index));
     if (others.length > 0 && others.length < only2.length) return `not with ${names2(others)}`;
     return `only with ${names2([...only2])}`;
@@ -5937,8 +5942,8 @@ ${end.mark}`;
       args.length > 0 && argsBlock(args),
       channels(page, "Comes in", incoming),
       channels(page, "Goes out", outgoing),
-      channels(page, "Waits for what nobody offers", looseIn),
-      channels(page, "Offers what nobody uses", looseOut),
+      channels(page, "Waits for what nobody here is known to offer", looseIn),
+      channels(page, "Offers what nobody here is known to use", looseOut),
       inner.length > 0 && block("Contains", list(inner.map((each) => element2("div", {}, ...each)))),
       group3.nodes.length > 0 && block(number(group3.nodes.length, "node"), list(group3.nodes.map((each) => nodeReference(page, each)))),
       sourceBlock(page, place2)

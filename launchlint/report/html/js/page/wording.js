@@ -15,6 +15,8 @@ const ROLES = new Map([
 ]);
 
 const MOST_DOUBTED = 3;
+/** How many configurations are named. */
+const MOST_NAMED = 4;
 
 /** The order in which the roles of a node are shown. */
 export const ROLE_ORDER = [...ROLES.keys()];
@@ -83,14 +85,18 @@ export function configurationName(args) {
 }
 
 /**
- * In which configurations something is, the shorter way; empty where it is in all.
+ * In which configurations something is, the shorter way, the first of them by name; empty where it is in all.
  *
  * @param {Entry} entry
  * @param {readonly number[]} only
  */
 export function when(entry, only) {
   if (only.length === 0) return "";
-  const names = (/** @type {number[]} */ those) => those.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
+  const names = (/** @type {number[]} */ those) => {
+    const named = those.map((each) => configurationName(entry.configurations[each] ?? ""));
+    if (named.length > MOST_NAMED + 1) named.splice(MOST_NAMED, named.length, `${named.length - MOST_NAMED} others`);
+    return named.join(" or ");
+  };
   const others = entry.configurations.map((_, index) => index).filter((index) => !only.includes(index));
   if (others.length > 0 && others.length < only.length) return `not with ${names(others)}`;
   return `only with ${names([...only])}`;
