@@ -97,6 +97,13 @@ def test_applies(what: str, rule: str, path: str, expected: bool) -> None:
     assert kept == ([] if expected else [finding(FILE, what, rule, path)])
 
 
+def test_a_rule_is_known_by_its_text_whoever_wrote_it() -> None:
+    (one,) = suppressions(FILE)
+    kept = finding(FILE, 'name="a"', b"LL301".decode())  # as it comes out of the cache, or of another process
+    assert applies(one, kept, RULES.get)
+    assert apply([kept], [one], RULES.get)[0] == []
+
+
 @pytest.mark.parametrize(
     "comment", ["ignore", "ignore[duplicate-node-name]", "Ignore[ll301]", "ignore [LL301]", "ignore[LL301 LL999]", "ignore\n  [LL301]"]
 )

@@ -447,6 +447,12 @@ def test_a_manager_that_is_not_here(tmp_path: Path) -> None:
     assert [(each.name, each.process) for each in loaded.endpoints if each.role == "publisher"] == [("/color", "")]
 
 
+def test_a_manager_whose_name_is_not_known(tmp_path: Path) -> None:
+    (loaded,) = graph(tmp_path, '<arg name="m"/>' + nodelet("n", "load cam/Color $(arg m)"), NODELET).instances
+    published = [(each.name, each.certain) for each in loaded.endpoints if each.role == "publisher"]
+    assert (loaded.reason, published) == ("", [("/unknown_namespace/color", False)])
+
+
 @pytest.mark.parametrize(("manager", "name"), [("cam/m", "/cam/color"), ("/cam/m", "/cam/color"), ("m", "/color"), ("/m", "/color")])
 def test_a_nodelet_in_no_namespace(manager: str, name: str, tmp_path: Path) -> None:
     (loaded,) = graph(tmp_path, nodelet("n", f"load cam/Color {manager}"), NODELET).instances
@@ -459,6 +465,7 @@ def test_a_nodelet_in_no_namespace(manager: str, name: str, tmp_path: Path) -> N
         ("load cam/Unknown m", "no library knows the nodelet class cam/Unknown"),
         ("load cam/Color", "its args do not say what it loads"),
         ("standalone", "its args do not say what it loads"),
+        ("load", "its args do not say what it loads"),
         ("", "its args do not say what it loads"),
         ("unload n m", ""),
         ("manager", ""),

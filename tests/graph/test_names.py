@@ -181,6 +181,13 @@ def test_what_remappings_that_are_not_known_may_make_of_a_name(
     assert own.elsewhere("/ns/cam/left/image") == (patterns, for_certain)
 
 
+def test_a_remap_of_its_own_name_is_left_out_by_roscpp_and_the_others_stay() -> None:
+    rules = [Rule("node", "x"), Rule("z", "y")]
+    names = [Namer("/ns", "/ns/node", rules, client).resolve("z").name for client in ("roscpp", "rospy")]
+    assert names == ["/ns/y", "/ns/y"]
+    assert Namer("/ns", "/ns/node", rules, "roscpp").resolve("node").name == "/ns/node"
+
+
 def test_a_nodelet_looks_a_name_up_once_as_roscpp_does() -> None:
     own = NodeletNamer(namer("roscpp", ("a", "b"), ("b", "c")), None)
     assert (own.topic("a").name, own.resolve("~/x").name) == ("/ns/b", "/ns/node/x")
