@@ -188,6 +188,10 @@ def test_a_remap_of_its_own_name_is_left_out_by_roscpp_and_the_others_stay() -> 
     assert Namer("/ns", "/ns/node", rules, "roscpp").resolve("node").name == "/ns/node"
 
 
+def test_a_param_is_called_as_a_topic_may_be() -> None:
+    assert not Namer("/ns", "/ns/node").is_param("a.b")
+
+
 def test_a_nodelet_looks_a_name_up_once_as_roscpp_does() -> None:
     own = NodeletNamer(namer("roscpp", ("a", "b"), ("b", "c")), None)
     assert (own.topic("a").name, own.resolve("~/x").name) == ("/ns/b", "/ns/node/x")
