@@ -99,7 +99,7 @@ def test_applies(what: str, rule: str, path: str, expected: bool) -> None:
 
 def test_a_rule_is_known_by_its_text_whoever_wrote_it() -> None:
     (one,) = suppressions(FILE)
-    kept = finding(FILE, 'name="a"', b"LL301".decode())  # as it comes out of the cache, or of another process
+    kept = finding(FILE, 'name="a"', b"LL301".decode(), b"a.launch".decode())  # as it comes out of the cache, or of another process
     assert applies(one, kept, RULES.get)
     assert apply([kept], [one], RULES.get)[0] == []
 
