@@ -27,6 +27,8 @@ from launchlint.workspace.texts import files_by_word
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_FILES = 8
 """Files that are kept of those that have one remap."""
+_WITH_ARGS = "$("
+"""Stands for the last part of a name in which args are read."""
 _SEPARATORS = late("[/_]+|(?<=[A-Za-z])(?=[0-9])")
 _ARG = late(r"\$\(\s*arg\s+([^\s()]+)\s*\)")
 
@@ -53,7 +55,8 @@ class Examples:
         for moved, stays in ((end, other), (other, end)):
             instance = self._owners[id(moved)]
             namer = instance.namer
-            for written in self._written.get(instance.program, ()):
+            last = moved.unremapped.rpartition("/")[2]
+            for written in (*self._written.get((instance.program, last), ()), *self._written.get((instance.program, _WITH_ARGS), ())):
                 sides = [absolute(self._filled(side), namer.home, namer.node) for side in (written.source, written.target)]
                 if sides == [moved.unremapped, stays.name] and (file := self._other(written.files)):
                     return f"{file} starts {instance.program}, too, and remaps {written.source} to {written.target} there"
@@ -82,8 +85,8 @@ class Examples:
         return {name: value for name, values in found.items() for value in values if len(values) == 1 and isinstance(value, str)}
 
     @cached_property
-    def _written(self) -> Mapping[str, Sequence[_Written]]:
-        """The remaps of each program in the launch files of the workspace."""
+    def _written(self) -> Mapping[tuple[str, str], Sequence[_Written]]:
+        """The remaps of each program in the launch files of the workspace, by the last part of the name that they lead elsewhere."""
         known, looked = self._view.packages.once(_remaps)[0]
         note(looked)
         return known
@@ -131,11 +134,12 @@ def _is_like(end: Endpoint, other: Endpoint, *, copies: bool) -> bool:
     return len(words) == len(others) and sum(one != two for one, two in zip(words, others, strict=True)) == 1
 
 
-def _remaps(packages: Packages) -> list[tuple[Mapping[str, Sequence[_Written]], Looked]]:
-    """The remaps inside the nodes of all launch files of the workspaces, by program, and what that hangs on."""
+def _remaps(packages: Packages) -> list[tuple[Mapping[tuple[str, str], Sequence[_Written]], Looked]]:
+    """The remaps inside the nodes of all launch files of the workspaces, by program and last part, and what that hangs on."""
     words, looked = files_by_word(packages.workspaces, _LAUNCH_ENDS, "remaps", _MOST_FILES)
-    found: dict[str, list[_Written]] = {}
+    found: dict[tuple[str, str], list[_Written]] = {}
     for word, files in words.items():
         program, source, target = word.split("\t")
-        found.setdefault(program, []).append(_Written(source, target, files))
+        last = _WITH_ARGS if "$(" in source else source.rstrip("/").rpartition("/")[2].lstrip("~")
+        found.setdefault((program, last), []).append(_Written(source, target, files))
     return [(found, looked)]
