@@ -75,8 +75,8 @@ class Manifest(NamedTuple):
     ``format`` is 1, 2 or 3, and 0 for ``manifest.xml``. ``plugins`` are the values of ``<export><nodelet plugin="…"/></export>`` with
     ``${prefix}`` replaced by the package's directory. ``build_types`` are the texts of ``<export><build_type>``, ``build_conditions`` the
     condition of each of them. ``root_end`` is the place of the root's closing tag (``None`` where there is none), ``name_span`` that of
-    the ``<name>`` element. ``people`` are the addresses of maintainers and authors in small letters, ``urls`` the type and the text of each
-    ``<url>``.
+    the ``<name>`` element. ``people`` are the addresses of maintainers and authors in small letters, ``signatures`` their names as they are
+    written, ``urls`` the type and the text of each ``<url>``, ``licences`` the texts of ``<license>``.
     """
 
     source: Source
@@ -91,6 +91,8 @@ class Manifest(NamedTuple):
     build_conditions: tuple[str, ...] = ()
     people: frozenset[str] = frozenset()
     urls: tuple[tuple[str, str], ...] = ()
+    signatures: tuple[str, ...] = ()
+    licences: tuple[str, ...] = ()
 
     def under(self, context: Mapping[str, str]) -> Manifest:
         """What is left of it where the variables in its conditions (format 3, REP 149) are those of ``context``.
@@ -225,6 +227,8 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
     build_types: list[tuple[str, str]] = []
     people: set[str] = set()
     urls: list[tuple[str, str]] = []
+    signatures: list[str] = []
+    licences: list[str] = []
     for element in _elements(source.text):
         tag, attributes = element.tag, element.attributes
         condition = attributes.get("condition", "")
@@ -241,6 +245,9 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
             continue
         elif tag in ("maintainer", "author"):
             people.add(attributes.get("email", "").lower())
+            signatures.append(element.text.strip())
+        elif tag == "license":
+            licences.append(element.text.strip())
         elif tag == "url":
             urls.append((attributes.get("type", ""), element.text.strip()))
         elif old:
@@ -263,6 +270,8 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
         tuple(condition for each, condition in build_types if each),
         frozenset(filter(None, people)),
         tuple(urls),
+        tuple(filter(None, signatures)),
+        tuple(licences),
     )
 
 

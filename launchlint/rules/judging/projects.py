@@ -7,7 +7,6 @@ authors, addresses), what a directory holds that only the root of a repository h
 from __future__ import annotations
 
 import posixpath
-import re
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -49,9 +48,6 @@ _TEMPLATE = "@todo.todo"
 """The end of the address that ``catkin_create_pkg`` writes for who called it."""
 _REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
-_LICENCE = late(r"<license\b[^>]*>([^<]*)<")
-_NAME = late(r"<(?:maintainer|author)\b[^>]*>([^<]*)<")
-_COMMENT = late(r"<!--.*?-->", re.DOTALL)
 _NO_LICENCE = "TODO"
 """What ``catkin_create_pkg`` writes for a licence."""
 _ASSISTED = ".setup_assistant"
@@ -143,13 +139,12 @@ class _Licences:
 
 
 def _is_licensed(manifest: Manifest) -> bool:
-    return any(each.strip() not in ("", _NO_LICENCE) for each in _LICENCE.findall(_COMMENT.sub("", manifest.source.text)))
+    return any(each not in ("", _NO_LICENCE) for each in manifest.licences)
 
 
 def _words(manifest: Manifest) -> frozenset[str]:
     """The names of the people, word by word, and what stands before the ``@`` in their addresses."""
-    text = _COMMENT.sub("", manifest.source.text)
-    words = [*" ".join(_NAME.findall(text)).lower().split(), *(each.partition("@")[0] for each in manifest.people)]
+    words = [*" ".join(manifest.signatures).lower().split(), *(each.partition("@")[0] for each in manifest.people)]
     return frozenset(each for each in words if len(each) >= _SHORTEST_NAME)
 
 
