@@ -27,7 +27,8 @@ REPOSITORIES = [name for name in ROBOTS if name != "ros2/autowarefoundation+auto
 SLOW = 2_500
 """Milliseconds of the processor until the largest launch file is drawn that are too many on any machine.
 
-The aim is 1,000 on one that has nothing else to do. Machines differ too much for that to be a test: here what grows out of all measure is seen.
+The aim is 1,000 on one that has nothing else to do. Machines differ too much for that to be a test: here what grows out of all
+measure is seen.
 """
 
 
