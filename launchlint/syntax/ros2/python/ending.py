@@ -6,8 +6,9 @@ from launchlint.problem import Problem
 from launchlint.python.failures import Asked, Raised, said
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
-from launchlint.syntax.ros2.description import Action, Substitution, Text
+from launchlint.syntax.ros2.description import Action, Text
 from launchlint.syntax.ros2.python.problems import StopsWithError
+from launchlint.syntax.ros2.python.texts import asking
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool
 
 def asks(asked: Asked, place: Place) -> Action:
     """What stands for a program that asks for what may not be here: launch stops there, unless it is."""
-    return described.Log(Text((Substitution(asked.name, (Text((asked.word,), place),), place),), place), None, place)
+    return described.Log(Text((asking(asked, place),), place), None, place)
 
 
 def _places(raised: Raised, run: Noticing, everything: Place) -> tuple[Place, tuple[tuple[Place, str], ...]]:

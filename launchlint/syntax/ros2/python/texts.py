@@ -77,6 +77,11 @@ def why(value: Value, what: str) -> str:
     return what
 
 
+def asking(asked: Asked, place: Place) -> Substitution:
+    """The substitution that asks for what a program asks for."""
+    return Substitution(asked.name, (Text((asked.word,), place),), place)
+
+
 class Texts:
     """Makes texts in one launch file.
 
@@ -88,13 +93,15 @@ class Texts:
         self._shares = shares
         self.gives: Callable[[Instance, Place], described.Gives] | None = None
         self._stand_ins: list[StandIn | Asked] = []
+        self._numbers: dict[StandIn | Asked, int] = {}
         self._directories: tuple[int, re.Pattern[str]] | None = None
 
     def stand_in(self, found: StandIn | Asked) -> Open:
         """A text that stands for what is not known, or not here, as a string of the program."""
-        if not isinstance(found, Asked) or found not in self._stand_ins:
+        number = self._numbers.setdefault(found, len(self._stand_ins))
+        if number == len(self._stand_ins):
             self._stand_ins.append(found)
-        return Open(f"{SIGNS[0]}{{stand-in:{self._stand_ins.index(found)}}}")
+        return Open(f"{SIGNS[0]}{{stand-in:{number}}}")
 
     def text(self, value: Value, place: Place) -> Text:
         """The text that a value stands for."""
@@ -167,7 +174,7 @@ class Texts:
             if match[1] and int(match[1]) < len(self._stand_ins):
                 one = self._stand_ins[int(match[1])]
                 if isinstance(one, Asked):
-                    found.append(Substitution(one.name, (Text((one.word,), place),), place))
+                    found.append(asking(one, place))
                 else:
                     found.append(Substitution(NOT_KNOWN, (Text((one.reason,), place), Text((one.text,), place)), place))
             elif match[0] in ("{{", "}}"):
