@@ -39,12 +39,14 @@ def as_yaml(text: str) -> Any:
     """
     if not text or len(text) > LONGEST or (_PLAIN_TEXT.fullmatch(text) is not None and text.lower() not in _YAML_WORDS):
         return text
-    import yaml
+    from launchlint.yaml.refusals import YamlError
+    from launchlint.yaml.tree import Reader, YamlBeyond
+    from launchlint.yaml.values import load
 
     try:
-        return yaml.safe_load(text)
-    except Exception as error:  # launch, too, takes whatever happens here for "not to be converted"
-        raise Misfit(str(error)) from None
+        return load(text, Reader("launch", longest=LONGEST))
+    except (YamlError, YamlBeyond) as error:  # launch, too, takes whatever happens here for "not to be converted"
+        raise Misfit(error.message) from None
 
 
 def is_value(value: object) -> bool:
