@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from launchlint.check import copied, copied_block, fragments
 from launchlint.finding import Finding, Severity
-from launchlint.order import most_severe_first, ordered
+from launchlint.named_tuple import NamedTuple
+from launchlint.order import most_severe_first, ordered, total
 from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.registry import find
 
@@ -22,24 +23,36 @@ _SHORTEST_HABIT = 20
 _SEVERAL = 3
 
 
+class Told(NamedTuple):
+    """A finding as people see it, and the single ones ``of`` one cause that it stands for: itself, where it is the only one."""
+
+    finding: Finding
+    of: tuple[Finding, ...]
+
+
 def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """``findings`` in report order; one for all of one :attr:`Finding.cause`, with the places of the others.
+    """What people see of ``findings``: see :func:`told_with_theirs`."""
+    return tuple(each.finding for each in told_with_theirs(findings))
+
+
+def told_with_theirs(findings: Iterable[Finding]) -> tuple[Told, ...]:
+    """``findings`` in report order; one for all of one :attr:`Finding.cause`, with the places of the others. Each stands in one of them.
 
     Mistakes of which a rule says the very same in one file are one, too: people make them in one go. So are those of which it says the same
     where the same is written: one was copied.
     """
-    result: list[Finding] = []
+    result: list[Told] = []
     alike: dict[str | tuple[str, ...], list[Finding]] = {}
     for finding in ordered(findings):
         if not finding.cause and finding.severity is Severity.INFO:
-            result.append(finding)
+            result.append(Told(finding, (finding,)))
             continue
         cause = finding.cause or (finding.rule, finding.severity.word, finding.location.path, finding.message, finding.help)
         alike.setdefault(cause, []).append(finding)
     if not alike:
         return tuple(result)
-    told = [_told(group) if len(group) > 1 else group[0] for group in _with_copies(alike.values())]
-    return tuple(ordered([*result, *_of_copies(told)]))
+    told = [Told(_told(group) if len(group) > 1 else group[0], tuple(group)) for group in _with_copies(alike.values())]
+    return tuple(sorted([*result, *_of_copies(told)], key=lambda each: total(each.finding)))
 
 
 def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
@@ -64,15 +77,29 @@ def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
     return result
 
 
-def _of_copies(findings: Iterable[Finding]) -> Iterator[Finding]:
-    """``findings`` of one cause each; one for those that say the same of copies, where their rule knows such."""
-    by_rule: dict[str, list[Finding]] = {}
-    for finding in findings:
-        by_rule.setdefault(finding.rule, []).append(finding)
+def _of_copies(told: Iterable[Told]) -> Iterator[Told]:
+    """``told`` of one cause each; one for those that say the same of copies, where their rule knows such."""
+    by_rule: dict[str, list[Told]] = {}
+    for each in told:
+        by_rule.setdefault(each.finding.rule, []).append(each)
     for name, several in by_rule.items():
         rule = find(name) if len(several) > 1 else None
         copies: Callable[[Sequence[Finding]], Iterable[Finding]] | None = None if rule is None else getattr(rule.load(), "of_copies", None)
-        yield from several if copies is None else copies(several)
+        yield from several if copies is None else _standing_for(list(copies([each.finding for each in several])), several)
+
+
+def _standing_for(findings: Sequence[Finding], told: Sequence[Told]) -> Iterator[Told]:
+    """``findings``, which a rule made of those ``told``, with what each stands for: what is gone stands in one that has its place."""
+    left = {id(each.finding): each for each in told}
+    own = [left.pop(id(finding), None) for finding in findings]
+    joined_ones = [number for number, known in enumerate(own) if known is None] or list(range(len(findings)))
+    places = {number: {findings[number].location, *(each.location for each in findings[number].related)} for number in joined_ones}
+    taken: dict[int, list[Finding]] = {}
+    for each in left.values():
+        number = next((number for number in joined_ones if each.finding.location in places[number]), joined_ones[0])
+        taken.setdefault(number, []).extend(each.of)
+    for number, (finding, known) in enumerate(zip(findings, own, strict=True)):
+        yield Told(finding, tuple(ordered([*(known.of if known else ()), *taken.get(number, ())])))
 
 
 def _told(findings: Sequence[Finding]) -> Finding:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.check.ahead import read_ahead
+from launchlint.check.causes import Told
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.merge import without_parts
 from launchlint.check.options import Arguments, EntryRequest, Options
@@ -183,12 +184,11 @@ def _whole(place: Place, documents: Mapping[str, Document]) -> Span:
     return place.span if element is None or element.span.start != place.span.start else element.span
 
 
-def reached(told: Sequence[Finding], findings: Sequence[Finding], entries: Sequence[Surveyed]) -> list[list[int]]:
+def reached(told: Sequence[Told], entries: Sequence[Surveyed]) -> list[list[int]]:
     """For each entry file the numbers of those findings ``told`` that concern it; every one concerns some entry, if there is any.
 
-    ``findings`` are those that were merged from all entry files, of which ``told`` joins what has one cause. What was found while an entry
-    was evaluated, or in the text of a file that it reads, concerns it; of the rest, what stands in such a file, or (in a ``package.xml``,
-    say) in a directory around it.
+    What was found while an entry was evaluated, or in the text of a file that it reads, concerns it; of the rest, what stands in such a
+    file, or (in a ``package.xml``, say) in a directory around it.
     """
     by_key: dict[Key, set[int]] = {}
     by_path: dict[str, set[int]] = {}
@@ -197,33 +197,29 @@ def reached(told: Sequence[Finding], findings: Sequence[Finding], entries: Seque
             by_key.setdefault(found.key, set()).add(number)
         for path in (result.path, *(file.path for file in result.files)):
             by_path.setdefault(path, set()).add(number)
-    by_cause: dict[object, set[int]] = {}
-    for finding in findings:
-        those = by_key.get(finding.key) or by_path.get(finding.location.path)
-        by_cause.setdefault(_cause(finding), set()).update(those or _below(finding.location.path, entries))
     concerned: list[list[int]] = [[] for _ in entries]
-    for index, finding in enumerate(told):
-        for number in sorted(by_cause[_cause(finding)]):
+    for index, each in enumerate(told):
+        those: set[int] = set()
+        for finding in each.of:
+            path = finding.location.path
+            those.update(by_key.get(finding.key) or by_path.get(path) or _below(path, entries))
+        for number in sorted(those):
             concerned[number].append(index)
     return concerned
 
 
-def shown_in(told: Sequence[Finding], findings: Sequence[Finding], entry: Surveyed) -> list[tuple[int, ...]]:
-    """For each finding of ``told`` the numbers of the configurations of one entry file that have it; empty: all of them.
+def shown_in(told: Sequence[Told], entry: Surveyed) -> list[tuple[int, ...]]:
+    """For each of ``told`` the numbers of the configurations of one entry file that have it; empty: all of them.
 
-    What stands in the text of a file is in all. ``findings`` are as in :func:`reached`.
-
-    A configuration that no rule looked at has what the configurations have that change some of its args and no others.
+    What stands in the text of a file is in all. A configuration that no rule looked at has what the configurations have that change some of
+    its args and no others.
     """
-    by_cause: dict[object, set[int]] = {}
-    for finding in findings:
-        if finding.key in entry.told:
-            by_cause.setdefault(_cause(finding), set()).update(entry.told[finding.key])
     every = set(range(entry.checked))
-    return [
-        () if not (those := by_cause.get(_cause(finding), set())) or those == every else tuple(sorted({*those, *_beyond(those, entry)}))
-        for finding in told
-    ]
+    result: list[tuple[int, ...]] = []
+    for each in told:
+        those = {number for finding in each.of for number in entry.told.get(finding.key, ())}
+        result.append(() if not those or those == every else tuple(sorted({*those, *_beyond(those, entry)})))
+    return result
 
 
 def _beyond(those: set[int], entry: Surveyed) -> Iterator[int]:
@@ -233,10 +229,6 @@ def _beyond(those: set[int], entry: Surveyed) -> Iterator[int]:
         largest = [each for each in within if not any(set(entry.given[each]) < set(entry.given[other]) for other in within)]
         if (0 in those) != any((each in those) != (0 in those) for each in largest):
             yield number
-
-
-def _cause(finding: Finding) -> object:
-    return (finding.rule, finding.cause) if finding.cause else finding.key
 
 
 def _below(path: str, entries: Sequence[Surveyed]) -> set[int]:

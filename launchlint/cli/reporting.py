@@ -9,7 +9,7 @@ from contextlib import nullcontext
 from pathlib import Path
 
 from launchlint import __version__
-from launchlint.check.causes import told_once
+from launchlint.check.causes import told_with_theirs
 from launchlint.check.file import INTERNAL_ERROR
 from launchlint.check.graphs import Revision, revision
 from launchlint.check.merge import Outcome, merge, without_parts
@@ -90,16 +90,16 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
             surveyed, befores = beside_base(surveyed, surveyor, old, given.base)
         results = [each.result for each in surveyed]
         outcome = merge(results, options, surveyor.packages, per_file, asked=entry.paths)
-        separate = outcome.findings
-        outcome = outcome._replace(findings=told_once(separate))
+        told = told_with_theirs(outcome.findings)
+        outcome = outcome._replace(findings=tuple(each.finding for each in told))
         kept = {id(result) for result in without_parts(results)}
         pairs = [(each, before) for each, before in zip(surveyed, befores, strict=True) if id(each.result) in kept]
-        entries = entry_materials(outcome, separate, pairs, surveyor.packages)
+        entries = entry_materials(told, pairs, surveyor.packages)
         changed = Since()
         if old is not None:
             gone = base_only(entry, requests, old)
             entries += [each for each, _ in gone]
-            changed = since(plain, [request for _, request in gone], surveyor, old, outcome, per_file, entry.paths)
+            changed = since(plain, [request for _, request in gone], surveyor, old, told, per_file, entry.paths)
             entries = [
                 each._replace(verdict_before=changed.verdicts.get(each.path), fixed=changed.fixed_in.get(each.path, ())) for each in entries
             ]

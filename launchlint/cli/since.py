@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from launchlint.check.causes import told_once
+from launchlint.check.causes import Told, told_with_theirs
 from launchlint.check.entry import EntryResult
 from launchlint.check.graphs import Revision
 from launchlint.check.ignores import PerFileIgnores
-from launchlint.check.merge import Outcome, merge
+from launchlint.check.merge import merge
 from launchlint.check.options import EntryRequest
 from launchlint.check.survey import Surveyed, Surveyor, reached
 from launchlint.finding import Finding
@@ -31,22 +31,27 @@ class Since(NamedTuple):
 
 
 def since(
-    surveyed: Sequence[Surveyed], gone: Iterable[EntryRequest], surveyor: Surveyor, old: Revision, outcome: Outcome,
+    surveyed: Sequence[Surveyed], gone: Iterable[EntryRequest], surveyor: Surveyor, old: Revision, told: Sequence[Told],
     per_file: PerFileIgnores, asked: Sequence[str],
 ) -> Since:  # fmt: skip
-    """What changed from the revision ``old`` to ``outcome``. ``gone`` are the entry files that are no more, as they are there."""
+    """What changed from the revision ``old`` to what is ``told``. ``gone`` are the entry files that are no more, as they are there.
+
+    The single findings are compared: one that stands for several is new where any of them is, wherever it is told.
+    """
     before = [each for each in (_before(one.result, surveyor, old) for one in surveyed) if each is not None]
     before += [old.checker.check(request) for request in gone]
     options = old.checker.options
-    separate = merge(before, options, old.checker.packages, per_file, asked=tuple(old.place(path) for path in asked)).findings
-    told = fingerprints(told_once(separate))
-    now = {mark for _, mark in fingerprints(outcome.findings)}
-    fixed = [(_at_home(finding, old), mark) for finding, mark in told if mark not in now]
-    concerned = reached([finding for finding, mark in told if mark not in now], separate, [Surveyed(each, None, {}) for each in before])
+    known = merge(before, options, old.checker.packages, per_file, asked=tuple(old.place(path) for path in asked)).findings
+    was = {mark: finding for finding, mark in fingerprints(known)}
+    now = {mark: finding for finding, mark in fingerprints([finding for each in told for finding in each.of])}
+    appeared = {id(finding) for mark, finding in now.items() if mark not in was}
+    left = {id(finding): mark for mark, finding in was.items() if mark not in now}
+    fixed = told_with_theirs([finding for mark, finding in was.items() if mark not in now])
+    marks = fingerprints([each.finding for each in told])
     return Since(
-        frozenset(now - {mark for _, mark in told}),
-        fixed,
-        {result.path: those for result, those in zip(before, concerned, strict=True)},
+        frozenset(mark for (_, mark), each in zip(marks, told, strict=True) if any(id(finding) in appeared for finding in each.of)),
+        [(_at_home(each.finding, old), left[id(each.of[0])]) for each in fixed],
+        dict(zip((result.path for result in before), reached(fixed, [Surveyed(each, None, {}) for each in before]), strict=True)),
         {result.path: result.outcome for result in before},
     )
 

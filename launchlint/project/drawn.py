@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from launchlint import __version__
-from launchlint.check.causes import told_once
+from launchlint.check.causes import told_with_theirs
 from launchlint.check.merge import merge
 from launchlint.check.survey import Surveyor
 from launchlint.fingerprint import fingerprints
@@ -28,9 +28,9 @@ def page_of(wanted: Wanted) -> str:
         surveyor = Surveyor(options, wanted.texts)
         surveyed = surveyor.survey(request)
         outcome = merge([surveyed.result], options, surveyor.packages, wanted.per_file, workspace=False, alone=True)
-        separate = outcome.findings
-        outcome = outcome._replace(findings=told_once(separate))
-        entries = entry_materials(outcome, separate, [(surveyed, None)], surveyor.packages)
+        told = told_with_theirs(outcome.findings)
+        outcome = outcome._replace(findings=tuple(each.finding for each in told))
+        entries = entry_materials(told, [(surveyed, None)], surveyor.packages)
         programs, left_out = known_programs(entries, surveyor.library, options)
         material = Material(
             title=os.path.basename(request.at),

@@ -5,13 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from launchlint.check.causes import Told
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.graphs import Revision, graphs_of
 from launchlint.check.losses import with_losses_since
-from launchlint.check.merge import Outcome
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.survey import Surveyed, Surveyor, reached, shown_in
-from launchlint.finding import Finding
 from launchlint.graph.topology import Topology, topology
 from launchlint.library.catalogue import Entry as KnownProgram
 from launchlint.library.catalogue import known
@@ -94,13 +93,9 @@ def reader(checker: EntryChecker) -> Callable[[str], Source | None]:
     return read
 
 
-def entry_materials(
-    outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tuple[Surveyed, Topology | None]], packages: Packages
-) -> list[EntryMaterial]:
-    """What the page shows of each entry file and what it connected at the revision, if any. ``separate`` are all findings, those of
-    ``outcome`` the same where those of one cause are told once.
-    """
-    concerned = reached(outcome.findings, separate, [each for each, _ in pairs])
+def entry_materials(told: Sequence[Told], pairs: Sequence[tuple[Surveyed, Topology | None]], packages: Packages) -> list[EntryMaterial]:
+    """What the page shows of each entry file and what it connected at the revision, if any, with the findings ``told`` that concern it."""
+    concerned = reached(told, [each for each, _ in pairs])
     return [
         EntryMaterial(
             each.result.path,
@@ -113,7 +108,7 @@ def entry_materials(
             each.details,
             each.result.sight,
             probe_command([each.result.path]),
-            shown_in=shown_in([outcome.findings[index] for index in findings], separate, each),
+            shown_in=shown_in([told[index] for index in findings], each),
             given=each.given,
             whole=each.whole,
             command=start_command(each.result, packages),

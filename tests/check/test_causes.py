@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from launchlint.check.causes import told_once
+from launchlint.check.causes import told_once, told_with_theirs
 from launchlint.finding import Edit, Finding, Fix, Location, Related, Severity
 
 
@@ -50,3 +50,14 @@ def test_there_is_no_joined_fix_where_one_lacks_it_or_two_meet() -> None:
     assert told_once([_insert(1, start=10, end=12), _finding(2, cause="x")])[0].fix is None
     assert told_once([_insert(1, start=10, end=13), _insert(2, start=12, end=14)])[0].fix is None
     assert told_once([_insert(1, start=10, end=10), _insert(2, start=10, end=10)._replace(message="m")])[0].fix is not None
+
+
+def test_each_finding_stands_in_one_that_is_told() -> None:
+    """Also where a rule joins what was joined: the home directory of one person, by two causes, and a path of another one."""
+    homes = [
+        _finding(line, cause=cause, rule="LL406")._replace(message=f"/home/{who}/a{line} is a path of one machine")
+        for line, cause, who in ((1, "x", "ann"), (2, "x", "ann"), (3, "y", "ann"), (4, "z", "bob"))
+    ]
+    told = told_with_theirs([*homes, _finding(9), _finding(8, severity=Severity.INFO)])
+    assert [sorted(each.location.line for each in one.of) for one in told] == [[1, 2, 3], [4], [8], [9]]
+    assert [one.finding for one in told] == list(told_once([*homes, _finding(9), _finding(8, severity=Severity.INFO)]))

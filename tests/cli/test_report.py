@@ -190,6 +190,39 @@ def test_a_missing_file_that_was_missing_before_is_not_new(tracked: Path) -> Non
     assert data["fixed"] == []
 
 
+COPIED = """\
+<launch>
+  <node pkg="usb_cam" type="usb_cam_node" name="cam"/>
+  <node pkg="image_view" type="image_view" name="view"><remap from="image" to="/cam/image_{}"/></node>
+</launch>
+"""
+
+
+def test_one_place_of_several_that_is_mended_or_made_is_what_is_told(tracked: Path) -> None:
+    first, *others = (tracked / "demo" / "launch" / f"{name}.launch" for name in "abc")
+    for each in (first, *others):
+        each.write_text(COPIED.format("rw"), encoding="utf-8")
+    git(tracked, "add", "-A")
+    git(tracked, "commit", "-q", "-m", "three mistakes")
+    first.write_text(COPIED.format("raw"), encoding="utf-8")
+
+    def compared() -> tuple[list[tuple[object, ...]], list[object], dict[str, int]]:
+        data = data_of(run(tracked, "report", "-o", "-", "--base", "HEAD", "--select", "LL612", "demo/launch").output)
+        findings = [(data["files"][each["place"][0]], each["message"].partition("(")[2], each.get("since", "")) for each in data["findings"]]
+        entries = {data["files"][each["file"]]: len(each["findings"]) for each in data["entries"]}
+        return findings, [data["files"][each["place"][0]] for each in data["fixed"]], entries
+
+    b = "demo/launch/b.launch"
+    assert compared()[:2] == ([(b, "and at 1 more place)", "")], ["demo/launch/a.launch"])
+
+    git(tracked, "add", "-A")
+    git(tracked, "commit", "-q", "-m", "two mistakes")
+    first.write_text(COPIED.format("rw"), encoding="utf-8")
+    findings, fixed, entries = compared()
+    assert (findings, fixed) == ([("demo/launch/a.launch", "and at 2 more places)", "new")], [])
+    assert [entries[f"demo/launch/{name}.launch"] for name in "abc"] == [1, 1, 1]
+
+
 ROS2 = {
     "robot.launch.xml": '<launch><node pkg="demo_nodes_cpp" exec="{}" name="{}"/></launch>\n',
     "robot.launch.py": """\

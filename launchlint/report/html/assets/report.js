@@ -194,6 +194,32 @@
     const head2 = Math.max(2, Math.floor(most / 4));
     return `${characters.slice(0, head2).join("")}…${characters.slice(head2 + 1 - most).join("")}`;
   }
+  function briefNames(names2, most) {
+    const alike = /* @__PURE__ */ new Map();
+    for (const name of new Set(names2)) {
+      const brief2 = shortName(name, "", most);
+      const others = alike.get(brief2);
+      if (others) others.push(name);
+      else alike.set(brief2, [name]);
+    }
+    const found2 = /* @__PURE__ */ new Map();
+    for (const [brief2, same] of alike) {
+      if (same.length === 1) found2.set(
+        /** @type {string} */
+        same[0],
+        brief2
+      );
+      else for (const name of same) found2.set(name, fromWhereTheyPart(name, same, most));
+    }
+    return found2;
+  }
+  function fromWhereTheyPart(name, names2, most) {
+    let same = 0;
+    while (same < name.length && names2.every((each) => each[same] === name[same])) same++;
+    const from = Math.max(...["/", "_", "-", "."].map((sign) => name.lastIndexOf(sign, same - 1))) + 1;
+    const rest = from > 1 ? `…${name.slice(from)}` : name;
+    return rest.length <= most ? rest : `${rest.slice(0, most - 1)}…`;
+  }
   function counted(count3, noun) {
     return `${count3} ${noun}${count3 === 1 ? "" : "s"}`;
   }
@@ -491,7 +517,7 @@
     if (!node) throw new RangeError(`there is no node ${index}`);
     const isBrief = group3.kind === "tray";
     const inNamespace = group3.namespace === node.namespace || view.state.grouping === "namespace" && !isBrief;
-    const lines = isBrief ? [{ kind: "title", text: shortName(node.name, "", BRIEF) }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
+    const lines = isBrief ? [{ kind: "title", text: namesIn(view, group3).get(node.name) ?? node.name }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
     if (node.program && !isBrief) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
     const classes = ["node"];
     const when2 = view.presence.of(node.only, node.mark);
@@ -522,6 +548,15 @@
     const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group3);
     const badge3 = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
     return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said2.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
+  }
+  var brief = /* @__PURE__ */ new WeakMap();
+  function namesIn(view, tray) {
+    let found2 = brief.get(tray);
+    if (!found2) brief.set(tray, found2 = briefNames(tray.nodes.map((each) => {
+      var _a;
+      return ((_a = view.entry.nodes[each]) == null ? void 0 : _a.name) ?? "";
+    }), BRIEF));
+    return found2;
   }
   function titles(text2) {
     return inLines(text2, BROAD).map((each) => ({ kind: "title", text: each }));
@@ -645,6 +680,16 @@ ${counted(about.nodes, "node")}`;
   var GAIN = 0.9;
   var ROWS = [1, 0.4];
   var ROWS_ANYWHERE = 0.75;
+  var DENSE = {
+    "elk.spacing.nodeNode": "12",
+    "elk.spacing.edgeEdge": "9",
+    "elk.spacing.edgeNode": "10",
+    "elk.spacing.portPort": "14",
+    "elk.spacing.componentComponent": "18",
+    "elk.layered.spacing.nodeNodeBetweenLayers": "18",
+    "elk.layered.spacing.edgeNodeBetweenLayers": "9",
+    "elk.layered.spacing.edgeEdgeBetweenLayers": "8"
+  };
   var KEPT = 600;
   var OPTIONS = {
     "elk.algorithm": "layered",
@@ -669,29 +714,29 @@ ${counted(about.nodes, "node")}`;
   async function layOutPart(engine, part2, inner, measure, cache, screen) {
     const names2 = new Names();
     const graph = asGraph(part2, inner, measure, names2);
-    const key = JSON.stringify([graph, names2.all, screen]);
+    const key = JSON.stringify([graph, screen]);
     let placed = cache.get(key);
     if (!placed) {
-      placed = run(engine, part2, graph, names2, screen);
+      placed = run(engine, part2, graph, screen);
       cache.set(key, placed);
       for (const oldest of cache.keys()) {
         if (cache.size <= KEPT) break;
         cache.delete(oldest);
       }
     }
-    return placed;
+    return names2.given(await placed);
   }
-  async function run(engine, part2, graph, names2, screen) {
+  async function run(engine, part2, graph, screen) {
     const root = (options = {}) => ({
       id: "root",
       layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
-      children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...options } }]
+      children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...screen.dense ? DENSE : {}, ...options } }]
     });
-    let best = asPlaced(await engine.layout(root()), names2);
+    let best = asPlaced(await engine.layout(root()));
     if (!part2.ports.length) {
       const inRows2 = async (cutting, ratio, anywhere) => {
         const rows2 = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": cutting, "elk.aspectRatio": String(ratio * screen.aspect) };
-        const tried = straightened(asPlaced(await engine.layout(root({ ...rows2, "elk.layered.wrapping.multiEdge.improveCuts": String(!anywhere) })), names2));
+        const tried = straightened(asPlaced(await engine.layout(root({ ...rows2, "elk.layered.wrapping.multiEdge.improveCuts": String(!anywhere) }))));
         if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
       };
       for (const ratio of ROWS) {
@@ -701,7 +746,7 @@ ${counted(about.nodes, "node")}`;
       const [width, height] = [screen.width, screen.width / screen.aspect];
       if ((best.width > width || best.height > height) && best.width * best.height < 1.2 * width * height) await inRows2("MSD", ROWS_ANYWHERE, true);
     }
-    return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names2);
+    return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })));
   }
   function costOf({ width, height }, screen) {
     const cut2 = isNarrow(screen) ? Math.max(0, width - screen.width) : 0;
@@ -754,9 +799,10 @@ ${counted(about.nodes, "node")}`;
       }
       return found2;
     }
-    /** @param {string} short */
-    long(short) {
-      return this.all[Number(short.slice(1))] ?? short;
+    /** The same by the ids that the short ones stand for. @param {Placed} placed @returns {Placed} */
+    given({ width, height, boxes, ports, labels, edges }) {
+      const named = (map) => new Map(Array.from(map, ([short, each]) => [this.all[Number(short.slice(1))] ?? short, each]));
+      return { width, height, boxes: named(boxes), ports: named(ports), labels: named(labels), edges: named(edges) };
     }
   };
   function asGraph(level, inner, measure, names2) {
@@ -830,7 +876,7 @@ ${counted(about.nodes, "node")}`;
     if (known6) known6.push(edge);
     else map.set(key, [edge]);
   }
-  function asPlaced(root, names2) {
+  function asPlaced(root) {
     var _a;
     const graph = (
       /** @type {ElkNode} */
@@ -841,17 +887,17 @@ ${counted(about.nodes, "node")}`;
       var _a2;
       const at = { x: x + (port.x ?? 0), y: y + (port.y ?? 0) };
       const label2 = (_a2 = port.labels) == null ? void 0 : _a2[0];
-      placed.ports.set(names2.long(port.id), at);
-      if (label2) placed.labels.set(names2.long(port.id), { x: at.x + (label2.x ?? 0), y: at.y + (label2.y ?? 0), width: label2.width, height: label2.height });
+      placed.ports.set(port.id, at);
+      if (label2) placed.labels.set(port.id, { x: at.x + (label2.x ?? 0), y: at.y + (label2.y ?? 0), width: label2.width, height: label2.height });
     };
     for (const port of graph.ports ?? []) keep(port, 0, 0);
     for (const { id, x = 0, y = 0, width = 0, height = 0, ports = [] } of graph.children ?? []) {
-      placed.boxes.set(names2.long(id), { x, y, width, height });
+      placed.boxes.set(id, { x, y, width, height });
       for (const port of ports) keep(port, x, y);
     }
     for (const edge of graph.edges ?? []) {
       const points = (edge.sections ?? []).flatMap((section) => [section.startPoint, ...section.bendPoints ?? [], section.endPoint]);
-      placed.edges.set(names2.long(edge.id), { points, junctions: edge.junctionPoints ?? [] });
+      placed.edges.set(edge.id, { points, junctions: edge.junctionPoints ?? [] });
     }
     return placed;
   }
@@ -1095,9 +1141,9 @@ ${counted(about.nodes, "node")}`;
   var STEP = 40;
   async function layOut(engine, level, measure, cache, screen) {
     const { aspect } = screen;
-    const alone = level.boxes.filter((box2) => !box2.classes.includes("tray")).length === 1;
-    const within2 = (box2) => ({ aspect: form(box2), width: screen.width - 2 * MARGIN2 });
-    const form = (box2) => box2.classes.includes("tray") ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect;
+    const alone = level.boxes.filter((box2) => !isTray(box2)).length === 1;
+    const within2 = (box2) => ({ ...screen, aspect: form(box2), width: screen.width - 2 * MARGIN2 });
+    const form = (box2) => isTray(box2) ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect;
     const inside = await Promise.all(level.boxes.map((box2) => box2.level ? layOut(engine, box2.level, measure, cache, within2(box2)) : null));
     const all = /* @__PURE__ */ new Map();
     for (const each of inside) each == null ? void 0 : each.forEach((placed, id) => all.set(id, placed));
@@ -1106,16 +1152,16 @@ ${counted(about.nodes, "node")}`;
       /** @type {Box} */
       part2.boxes[0]
     ));
-    const widths = evenWidths(singles);
+    const widths = evenWidths(singles.filter((box2) => !isTray(box2)));
     const blocks = await Promise.all(
       parts3.map((part2) => {
         const [box2] = part2.boxes;
-        return box2 && singles.includes(box2) ? single(box2, all.get(box2.id), widths.get(box2.kind) ?? 0, measure) : layOutPart(engine, part2, all, measure, cache, screen);
+        return box2 && singles.includes(box2) ? single(box2, all.get(box2.id), isTray(box2) ? box2.width : widths.get(box2.kind) ?? 0, measure) : layOutPart(engine, part2, all, measure, cache, screen);
       })
     );
     const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
     const head2 = level.group.kind === "root" ? MARGIN2 : HEAD;
-    const shape2 = { head: head2, least, screen, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
+    const shape2 = { head: head2, least, screen, gap: level.group.kind === "tray" || screen.dense ? NARROW_GAP : GAP };
     all.set(level.group.id, pack(parts3, blocks, shape2));
     return all;
   }
@@ -1143,8 +1189,10 @@ ${counted(about.nodes, "node")}`;
     return Array.from(parts3.values()).sort((a, b) => rank(a) - rank(b));
   }
   function rank({ ports, edges, boxes }) {
-    var _a;
-    return ports.length ? 0 : edges.length ? 1 : ((_a = boxes[0]) == null ? void 0 : _a.classes.includes("tray")) ? 3 : 2;
+    return ports.length ? 0 : edges.length ? 1 : boxes[0] && isTray(boxes[0]) ? 3 : 2;
+  }
+  function isTray(box2) {
+    return box2.classes.includes("tray");
   }
   function evenWidths(boxes) {
     const widths = /* @__PURE__ */ new Map();
@@ -1194,7 +1242,45 @@ ${counted(about.nodes, "node")}`;
       const rows2 = shelves(blocks, widest + (longest - widest) * trial * trial / TRIALS ** 2, gap);
       if (cost(rows2) < cost(best)) best = rows2;
     }
+    const orders = [blocks, [...blocks].sort((a, b) => b.width - a.width), [...blocks].sort((a, b) => b.height - a.height)];
+    for (const order of cost(best) > screen.width / screen.aspect ? orders : []) {
+      for (let trial = 0; trial <= TRIALS; trial++) {
+        const stacked = raised(order, widest + (longest - widest) * trial * trial / TRIALS ** 2, gap);
+        if (cost(stacked) < cost(best)) best = { ...stacked, places: blocks.map((block2) => (
+          /** @type {Point} */
+          stacked.places[order.indexOf(block2)]
+        )) };
+      }
+      if (cost(best) <= screen.width / screen.aspect) break;
+    }
     return best;
+  }
+  function raised(blocks, most, gap) {
+    const places = [];
+    let floor = [{ x: 0, width: most, y: 0 }];
+    let [width, height] = [0, 0];
+    for (const block2 of blocks) {
+      let best = { x: 0, y: Infinity };
+      for (const { x } of floor) {
+        if (x > 0 && x + block2.width > most) break;
+        const y = Math.max(...floor.filter((each) => each.x < x + block2.width && each.x + each.width > x).map((each) => each.y));
+        if (y < best.y) best = { x, y };
+      }
+      places.push(best);
+      const right = Math.min(most, best.x + block2.width + gap);
+      floor = floor.flatMap((each) => {
+        const end = each.x + each.width;
+        return [
+          { ...each, width: Math.min(end, best.x) - each.x },
+          { ...each, x: Math.max(each.x, right), width: end - Math.max(each.x, right) }
+        ].filter((piece) => piece.width > 0);
+      });
+      floor.push({ x: best.x, width: right - best.x, y: best.y + block2.height + gap });
+      floor.sort((a, b) => a.x - b.x);
+      width = Math.max(width, best.x + block2.width);
+      height = Math.max(height, best.y + block2.height);
+    }
+    return { width, height, places };
   }
   function shelves(blocks, most, gap) {
     const places = [];
@@ -1307,8 +1393,8 @@ ${counted(about.nodes, "node")}`;
       ways.sort((a, b) => a.cost - b.cost)[0]
     );
   }
-  function pushed(room) {
-    const { all, was, box: box2, grown: grown2 } = room;
+  function pushed(room2) {
+    const { all, was, box: box2, grown: grown2 } = room2;
     const [right, bottom] = [was.x + was.width, was.y + was.height];
     let count3 = 0;
     const push2 = (point) => {
@@ -1328,36 +1414,36 @@ ${counted(about.nodes, "node")}`;
     return { placed: all, cost: count3 + PIXEL * (grown2.x + grown2.y) };
   }
   function aside(axis) {
-    return (room) => {
-      const { was } = room;
-      let waiting = [{ id: room.box.id, before: room.before }];
+    return (room2) => {
+      const { was } = room2;
+      let waiting = [{ id: room2.box.id, before: room2.before }];
       for (let next = waiting.shift(); next; next = waiting.shift()) {
-        const now = room.taken(next.id);
-        for (const id of room.inTheWay(next.id, next.before)) {
-          const before = room.taken(id);
+        const now = room2.taken(next.id);
+        for (const id of room2.inTheWay(next.id, next.before)) {
+          const before = room2.taken(id);
           const level = axis === "x" || axis === "either" && before.x >= was.x + was.width;
           const by = GAP2 + (level ? now.x + now.width - before.x : now.y + now.height - before.y);
-          if (room.moved.size >= MOST3 || id === room.box.id) return null;
-          room.move(id, level ? by : 0, level ? 0 : by);
+          if (room2.moved.size >= MOST3 || id === room2.box.id) return null;
+          room2.move(id, level ? by : 0, level ? 0 : by);
           waiting = [...waiting, { id, before }];
         }
       }
-      return room.done();
+      return room2.done();
     };
   }
-  function elsewhere(room) {
-    const found2 = room.inTheWay(room.box.id, room.before);
+  function elsewhere(room2) {
+    const found2 = room2.inTheWay(room2.box.id, room2.before);
     if (found2.length > MOST3) return null;
     for (const id of found2) {
-      const from = room.taken(id);
-      const taken = [...room.others(id).map((area) => wider(area, GAP2 - 1)), ...room.linesBeside(id).map((area) => wider(area, NEAR))];
-      const last = { x: Math.max(MARGIN2, room.all.width - MARGIN2 - from.width), y: room.all.height + GAP2 };
+      const from = room2.taken(id);
+      const taken = [...room2.others(id).map((area) => wider(area, GAP2 - 1)), ...room2.linesBeside(id).map((area) => wider(area, NEAR))];
+      const last = { x: Math.max(MARGIN2, room2.all.width - MARGIN2 - from.width), y: room2.all.height + GAP2 };
       let [best, least] = [
         /** @type {Point | null} */
         null,
         Infinity
       ];
-      for (let y = room.top; y <= last.y; y += STEP2) {
+      for (let y = room2.top; y <= last.y; y += STEP2) {
         for (let x = MARGIN2; x <= last.x; x += STEP2) {
           const cost = Math.abs(x - from.x) + Math.abs(y - from.y);
           const area = { ...from, x, y };
@@ -1365,9 +1451,9 @@ ${counted(about.nodes, "node")}`;
         }
       }
       if (!best) return null;
-      room.move(id, best.x - from.x, best.y - from.y);
+      room2.move(id, best.x - from.x, best.y - from.y);
     }
-    return room.done();
+    return room2.done();
   }
   var Room = class {
     /** @param {Level} level @param {Placed} placed @param {Box} box @param {{ width: number, height: number }} size */
@@ -1495,11 +1581,11 @@ ${counted(about.nodes, "node")}`;
   var STRAIGHT = 9;
   var [TURN, CROSS, ALONG, NAME] = [24, 16, 400, 24];
   var BEYOND = 3;
-  function wayBetween(from, to, room, boxes, names2, lines, net) {
+  function wayBetween(from, to, room2, boxes, names2, lines, net) {
     const start2 = { x: from.x + STRAIGHT, y: from.y };
     const end = { x: to.x - STRAIGHT, y: to.y };
-    const [left, right] = [Math.min(BESIDE, start2.x, end.x), Math.max(room.width - BESIDE, start2.x, end.x)];
-    const [top, bottom] = [Math.min(room.top, start2.y, end.y), Math.max(room.height, start2.y, end.y) + 4 * STEP3];
+    const [left, right] = [Math.min(BESIDE, start2.x, end.x), Math.max(room2.width - BESIDE, start2.x, end.x)];
+    const [top, bottom] = [Math.min(room2.top, start2.y, end.y), Math.max(room2.height, start2.y, end.y) + 4 * STEP3];
     const grid = new Grid(ticks(left, right, [start2.x, end.x, right]), ticks(top, bottom, [start2.y, end.y, bottom]));
     for (const box2 of boxes) grid.mark(grid.blocked, box2.x - BESIDE, box2.y - BESIDE, box2.x + box2.width + BESIDE, box2.y + box2.height + BESIDE);
     for (const name of names2) grid.mark(grid.named, name.x, name.y, name.x + name.width, name.y + name.height);
@@ -1516,7 +1602,7 @@ ${counted(about.nodes, "node")}`;
         grid.mark(level ? grid.level : grid.upright, level ? x1 : x1 - near, level ? y1 - near : y1, level ? x2 : x2 + near, level ? y2 + near : y2);
       });
     }
-    const way = grid.search(start2, end, room.height);
+    const way = grid.search(start2, end, room2.height);
     return straightened2([from, ...way ?? [start2, { x: start2.x, y: bottom }, { x: end.x, y: bottom }, end], to]);
   }
   function ticks(from, to, more) {
@@ -1763,8 +1849,8 @@ ${counted(about.nodes, "node")}`;
       const box2 = this.level.boxes.find((each) => each.id === id);
       const tried = grown2.map((each) => {
         const size = each.all.get(id);
-        const room = box2 && size && this.all.boxes.has(id) ? stretched(this.level, this.all, box2, size) : { placed: this.all, cost: 0 };
-        return { inside: each.all, placed: room.placed, cost: each.cost + room.cost };
+        const room2 = box2 && size && this.all.boxes.has(id) ? stretched(this.level, this.all, box2, size) : { placed: this.all, cost: 0 };
+        return { inside: each.all, placed: room2.placed, cost: each.cost + room2.cost };
       });
       const best = tried.sort((a, b) => a.cost - b.cost)[0];
       if (!best) return;
@@ -1807,8 +1893,8 @@ ${counted(about.nodes, "node")}`;
       const near = taken.flatMap((port) => port && Math.abs(port.x - x) < 1 && port.y >= from && port.y <= to ? [port.y] : []);
       let [best, most] = [(from + to) / 2, -Infinity];
       for (let y = from + 6; y <= to - 6; y += 2) {
-        const room = Math.min(PITCH2, ...near.map((each) => Math.abs(each - y)));
-        const worth = room * 100 - Math.abs(y - wanted);
+        const room2 = Math.min(PITCH2, ...near.map((each) => Math.abs(each - y)));
+        const worth = room2 * 100 - Math.abs(y - wanted);
         if (worth > most) [best, most] = [y, worth];
       }
       return best;
@@ -2886,10 +2972,11 @@ ${counted(about.nodes, "node")}`;
   var STEP5 = 60;
   var READABLE = 0.5;
   function fitting(size, extent) {
-    return Math.min((extent.width - 2 * MARGIN4) / Math.max(1, size.width), (extent.height - 2 * MARGIN4 - FOOT) / Math.max(1, size.height));
+    const { width, height } = room(extent);
+    return Math.min(width / Math.max(1, size.width), height / Math.max(1, size.height));
   }
-  function readable(width) {
-    return (width - 2 * MARGIN4) / LEGIBLE;
+  function room({ width, height }) {
+    return { width: Math.max(1, width - 2 * MARGIN4), height: Math.max(1, height - 2 * MARGIN4 - FOOT) };
   }
   var Viewport = class {
     /**
@@ -3207,7 +3294,7 @@ ${counted(about.nodes, "node")}`;
       this.engine = engine;
       this.measure = measure;
       this.cache = /* @__PURE__ */ new Map();
-      this.screen = { aspect: 1, width: Infinity };
+      this.screen = { aspect: 1, width: Infinity, dense: false };
       this.seen = { key: "", place: "", view: (
         /** @type {View | null} */
         null
@@ -3305,7 +3392,11 @@ ${counted(about.nodes, "node")}`;
         return isLegible(tried) ? tried : null;
       };
       let scene = await this.stage(view, withFocus(view, []));
-      if (!order.length || !isLegible(scene)) return scene;
+      if (!isLegible(scene)) {
+        this.screen = { ...this.screen, dense: true };
+        return this.stage(view, withFocus(view, []));
+      }
+      if (!order.length) return scene;
       const everything = await trial(order);
       if (everything) return everything;
       let [fits, tooMany] = [0, order.length];
@@ -3353,11 +3444,13 @@ ${counted(about.nodes, "node")}`;
   function roomOf({ boxes, edges }) {
     return edges.length * LINE2 + boxes.reduce((sum, { level, width, height }) => sum + (level ? roomOf(level) : width * height), 0);
   }
-  function roomIn({ width, height }) {
+  function roomIn(extent) {
+    const { width, height } = room(extent);
     return width * height / LEGIBLE ** 2;
   }
-  function screenOf({ width, height }) {
-    return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: readable(width) };
+  function screenOf(extent) {
+    const { width, height } = room(extent);
+    return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: width / LEGIBLE, dense: false };
   }
   function wholeState(state) {
     return { ...state, layers: { topics: true, services: true, actions: true, params: state.layers.params }, findingsOnly: false, tray: true, hidden: /* @__PURE__ */ new Set(), filter: "" };
@@ -3626,8 +3719,8 @@ ${counted(about.nodes, "node")}`;
           found2.boxes += 1;
           found2.folded += (scene == null ? void 0 : scene.view.counts.get(box2.id)) ?? 0;
         }
-        const [middle2, centre] = [place2.x + (x + width / 2) * place2.scale, place2.y + (y + height / 2) * place2.scale];
-        const isSeen = middle2 > 0 && centre > 0 && middle2 < extent.width && centre < extent.height;
+        const [left, top] = [place2.x + x * place2.scale, place2.y + y * place2.scale];
+        const isSeen = left > -1 && top > -1 && left + width * place2.scale < extent.width + 1 && top + height * place2.scale < extent.height + 1;
         if (!isSeen && box2.kind !== "open") found2.outside += 1;
       }
       return found2;
@@ -6516,7 +6609,7 @@ ${end.mark}`;
   function leftOut({ folded, boxes, outside: outside2 }, untouched) {
     const words2 = [];
     if (folded > 0) words2.push(`${number(folded, "node")} in ${number(boxes, "folded box", "folded boxes")}`);
-    if (untouched && outside2 > 0) words2.push(`${number(outside2, "box", "boxes")} beyond the edge: drag, or Fit`);
+    if (untouched && outside2 > 0) words2.push(`${number(outside2, "box", "boxes")} at or beyond the edge: drag, or Fit`);
     return words2.join(" · ");
   }
   function whyEmpty({ entry }, state) {

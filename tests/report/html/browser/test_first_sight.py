@@ -85,8 +85,10 @@ def test_every_name_of_a_public_robot_can_be_read(browser: Browser, tmp_path: Pa
         smallest, used, note = page.evaluate(SMALLEST), page.evaluate(USED), page.locator(".stage-note").text_content()
         folded = page.locator("#drawing > svg .box.folded").count()
         overlapping = page.evaluate(OVERLAPPING)
+        cut = page.evaluate(CUT)
         page.close()
         assert smallest >= 9
+        assert cut == 0 or width == 390
         assert overlapping == []
         assert (f"in {folded} folded" in str(note)) == (folded > 0)
         # What a narrow screen cannot hold says so.

@@ -16,7 +16,7 @@ import { PADDING } from "./boxes.js";
 /** Between the upper border of an open container, which has its name, and what is in it. */
 const HEAD = 32;
 const GAP = 24;
-/** Between boxes in the tray. */
+/** Between boxes in the tray, and where the screen does not hold more. */
 const NARROW_GAP = 10;
 /** Between two hollow ports of a box without lines. */
 const PITCH = 17;
@@ -40,27 +40,27 @@ const STEP = 40;
 export async function layOut(engine, level, measure, cache, screen) {
   const { aspect } = screen;
   // What stands beside others had better be narrow.
-  const alone = level.boxes.filter((box) => !box.classes.includes("tray")).length === 1;
+  const alone = level.boxes.filter((box) => !isTray(box)).length === 1;
   /** @param {Box} box @returns {Screen} */
-  const within = (box) => ({ aspect: form(box), width: screen.width - 2 * MARGIN });
+  const within = (box) => ({ ...screen, aspect: form(box), width: screen.width - 2 * MARGIN });
   /** @param {Box} box */
-  const form = (box) => (box.classes.includes("tray") ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect);
+  const form = (box) => (isTray(box) ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect);
   const inside = await Promise.all(level.boxes.map((box) => (box.level ? layOut(engine, box.level, measure, cache, within(box)) : null)));
   /** @type {Map<string, Placed>} */
   const all = new Map();
   for (const each of inside) each?.forEach((placed, id) => all.set(id, placed));
   const parts = connectedParts(level);
   const singles = parts.filter((part) => part.boxes.length === 1 && !part.edges.length && !part.ports.length).map((part) => /** @type {Box} */ (part.boxes[0]));
-  const widths = evenWidths(singles);
+  const widths = evenWidths(singles.filter((box) => !isTray(box)));
   const blocks = await Promise.all(
     parts.map((part) => {
       const [box] = part.boxes;
-      return box && singles.includes(box) ? single(box, all.get(box.id), widths.get(box.kind) ?? 0, measure) : layOutPart(engine, part, all, measure, cache, screen);
+      return box && singles.includes(box) ? single(box, all.get(box.id), isTray(box) ? box.width : (widths.get(box.kind) ?? 0), measure) : layOutPart(engine, part, all, measure, cache, screen);
     }),
   );
   const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
   const head = level.group.kind === "root" ? MARGIN : HEAD;
-  const shape = { head, least, screen, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
+  const shape = { head, least, screen, gap: level.group.kind === "tray" || screen.dense ? NARROW_GAP : GAP };
   all.set(level.group.id, pack(parts, blocks, shape));
   return all;
 }
@@ -99,7 +99,12 @@ function connectedParts(level) {
 
 /** What touches the border first, then what is connected, then the rest, and the tray at the end. @param {Level} part */
 function rank({ ports, edges, boxes }) {
-  return ports.length ? 0 : edges.length ? 1 : boxes[0]?.classes.includes("tray") ? 3 : 2;
+  return ports.length ? 0 : edges.length ? 1 : boxes[0] && isTray(boxes[0]) ? 3 : 2;
+}
+
+/** @param {Box} box */
+function isTray(box) {
+  return box.classes.includes("tray");
 }
 
 /** Boxes without lines stand in columns where they are equally wide. @param {Box[]} boxes @returns {Map<Box["kind"], number>} */
@@ -175,7 +180,52 @@ function inRows(blocks, width, above, { screen, gap }) {
     const rows = shelves(blocks, widest + ((longest - widest) * trial * trial) / TRIALS ** 2, gap);
     if (cost(rows) < cost(best)) best = rows;
   }
+  // What the screen does not hold in rows it may hold where each stands as high as it can, large ones first if need be.
+  const orders = [blocks, [...blocks].sort((a, b) => b.width - a.width), [...blocks].sort((a, b) => b.height - a.height)];
+  for (const order of cost(best) > screen.width / screen.aspect ? orders : []) {
+    for (let trial = 0; trial <= TRIALS; trial++) {
+      const stacked = raised(order, widest + ((longest - widest) * trial * trial) / TRIALS ** 2, gap);
+      if (cost(stacked) < cost(best)) best = { ...stacked, places: blocks.map((block) => /** @type {Point} */ (stacked.places[order.indexOf(block)])) };
+    }
+    if (cost(best) <= screen.width / screen.aspect) break;
+  }
   return best;
+}
+
+/**
+ * Each block as high as it can stand within a width below those before it, and there as far to the left.
+ * @param {Placed[]} blocks
+ * @param {number} most
+ * @param {number} gap
+ */
+function raised(blocks, most, gap) {
+  /** @type {Point[]} */
+  const places = [];
+  /** @type {{ x: number, width: number, y: number }[]} how far down the space is taken, from left to right */
+  let floor = [{ x: 0, width: most, y: 0 }];
+  let [width, height] = [0, 0];
+  for (const block of blocks) {
+    let best = { x: 0, y: Infinity };
+    for (const { x } of floor) {
+      if (x > 0 && x + block.width > most) break;
+      const y = Math.max(...floor.filter((each) => each.x < x + block.width && each.x + each.width > x).map((each) => each.y));
+      if (y < best.y) best = { x, y };
+    }
+    places.push(best);
+    const right = Math.min(most, best.x + block.width + gap);
+    floor = floor.flatMap((each) => {
+      const end = each.x + each.width;
+      return [
+        { ...each, width: Math.min(end, best.x) - each.x },
+        { ...each, x: Math.max(each.x, right), width: end - Math.max(each.x, right) },
+      ].filter((piece) => piece.width > 0);
+    });
+    floor.push({ x: best.x, width: right - best.x, y: best.y + block.height + gap });
+    floor.sort((a, b) => a.x - b.x);
+    width = Math.max(width, best.x + block.width);
+    height = Math.max(height, best.y + block.height);
+  }
+  return { width, height, places };
 }
 
 /**

@@ -1,6 +1,6 @@
 // What is written on a box, and how large that makes it.
 
-import { counted, cut, inLines, isLocal, lastPart, machineName, shortName } from "./names.js";
+import { briefNames, counted, cut, inLines, isLocal, lastPart, machineName, shortName } from "./names.js";
 import { walk } from "./tree.js";
 
 /** @typedef {import("./types").Group} Group */
@@ -58,7 +58,7 @@ export function nodeBox(view, index, group, measure) {
   const isBrief = group.kind === "tray";
   const inNamespace = group.namespace === node.namespace || (view.state.grouping === "namespace" && !isBrief);
   /** @type {Line[]} */
-  const lines = isBrief ? [{ kind: "title", text: shortName(node.name, "", BRIEF) }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
+  const lines = isBrief ? [{ kind: "title", text: namesIn(view, group).get(node.name) ?? node.name }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
   if (node.program && !isBrief) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
   const classes = ["node"];
   const when = view.presence.of(node.only, node.mark);
@@ -90,6 +90,16 @@ export function nodeBox(view, index, group, measure) {
   const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group);
   const badge = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
   return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge, loose, level: null, wires: [] }, measure);
+}
+
+/** @type {WeakMap<Group, Map<string, string>>} */
+const brief = new WeakMap();
+
+/** How nodes are called in the tray. @param {View} view @param {Group} tray */
+function namesIn(view, tray) {
+  let found = brief.get(tray);
+  if (!found) brief.set(tray, (found = briefNames(tray.nodes.map((each) => view.entry.nodes[each]?.name ?? ""), BRIEF)));
+  return found;
 }
 
 /** @param {string} text @returns {Line[]} */

@@ -57,6 +57,17 @@ const GAIN = 0.9;
 const ROWS = [1, 0.4];
 /** The same where names are still too small to be read: there rows end anywhere, and not only where few lines are cut. */
 const ROWS_ANYWHERE = 0.75;
+/** The same with less room between things, for what the screen does not hold otherwise. */
+const DENSE = {
+  "elk.spacing.nodeNode": "12",
+  "elk.spacing.edgeEdge": "9",
+  "elk.spacing.edgeNode": "10",
+  "elk.spacing.portPort": "14",
+  "elk.spacing.componentComponent": "18",
+  "elk.layered.spacing.nodeNodeBetweenLayers": "18",
+  "elk.layered.spacing.edgeNodeBetweenLayers": "9",
+  "elk.layered.spacing.edgeEdgeBetweenLayers": "8",
+};
 /** Parts whose layout is kept, by all that it depends on. */
 const KEPT = 600;
 
@@ -94,39 +105,39 @@ export const OPTIONS = {
 export async function layOutPart(engine, part, inner, measure, cache, screen) {
   const names = new Names();
   const graph = asGraph(part, inner, measure, names);
-  const key = JSON.stringify([graph, names.all, screen]);
+  // Parts that differ in their names only look the same: robots of a swarm.
+  const key = JSON.stringify([graph, screen]);
   let placed = cache.get(key);
   if (!placed) {
-    placed = run(engine, part, graph, names, screen);
+    placed = run(engine, part, graph, screen);
     cache.set(key, placed);
     for (const oldest of cache.keys()) {
       if (cache.size <= KEPT) break;
       cache.delete(oldest);
     }
   }
-  return placed;
+  return names.given(await placed);
 }
 
 /**
  * @param {Engine} engine
  * @param {Level} part
  * @param {ElkNode} graph
- * @param {Names} names
  * @param {Screen} screen
- * @returns {Promise<Placed>}
+ * @returns {Promise<Placed>} by the short ids of the graph
  */
-async function run(engine, part, graph, names, screen) {
+async function run(engine, part, graph, screen) {
   const root = (options = {}) => ({
     id: "root",
     layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
-    children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...options } }],
+    children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...(screen.dense ? DENSE : {}), ...options } }],
   });
-  let best = asPlaced(await engine.layout(root()), names);
+  let best = asPlaced(await engine.layout(root()));
   if (!part.ports.length) {
     /** @param {string} cutting @param {number} ratio @param {boolean} anywhere */
     const inRows = async (cutting, ratio, anywhere) => {
       const rows = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": cutting, "elk.aspectRatio": String(ratio * screen.aspect) };
-      const tried = straightened(asPlaced(await engine.layout(root({ ...rows, "elk.layered.wrapping.multiEdge.improveCuts": String(!anywhere) })), names));
+      const tried = straightened(asPlaced(await engine.layout(root({ ...rows, "elk.layered.wrapping.multiEdge.improveCuts": String(!anywhere) }))));
       if (isStraight(tried) && costOf(tried, screen) < GAIN * costOf(best, screen)) best = tried;
     };
     for (const ratio of ROWS) {
@@ -137,7 +148,7 @@ async function run(engine, part, graph, names, screen) {
     // What is far too large for any form is not tried.
     if ((best.width > width || best.height > height) && best.width * best.height < 1.2 * width * height) await inRows("MSD", ROWS_ANYWHERE, true);
   }
-  return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names);
+  return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })));
 }
 
 /**
@@ -218,9 +229,11 @@ class Names {
     return found;
   }
 
-  /** @param {string} short */
-  long(short) {
-    return this.all[Number(short.slice(1))] ?? short;
+  /** The same by the ids that the short ones stand for. @param {Placed} placed @returns {Placed} */
+  given({ width, height, boxes, ports, labels, edges }) {
+    /** @template T @param {Map<string, T>} map @returns {Map<string, T>} */
+    const named = (map) => new Map(Array.from(map, ([short, each]) => [this.all[Number(short.slice(1))] ?? short, each]));
+    return { width, height, boxes: named(boxes), ports: named(ports), labels: named(labels), edges: named(edges) };
   }
 }
 
@@ -324,10 +337,9 @@ function add(map, key, edge) {
 
 /**
  * @param {ElkNode} root
- * @param {Names} names
- * @returns {Placed}
+ * @returns {Placed} by the ids that ELK was given
  */
-function asPlaced(root, names) {
+function asPlaced(root) {
   const graph = /** @type {ElkNode} */ (root.children?.[0]);
   /** @type {Placed} */
   const placed = { width: graph.width ?? 0, height: graph.height ?? 0, boxes: new Map(), ports: new Map(), labels: new Map(), edges: new Map() };
@@ -335,17 +347,17 @@ function asPlaced(root, names) {
   const keep = (port, x, y) => {
     const at = { x: x + (port.x ?? 0), y: y + (port.y ?? 0) };
     const label = port.labels?.[0];
-    placed.ports.set(names.long(port.id), at);
-    if (label) placed.labels.set(names.long(port.id), { x: at.x + (label.x ?? 0), y: at.y + (label.y ?? 0), width: label.width, height: label.height });
+    placed.ports.set(port.id, at);
+    if (label) placed.labels.set(port.id, { x: at.x + (label.x ?? 0), y: at.y + (label.y ?? 0), width: label.width, height: label.height });
   };
   for (const port of graph.ports ?? []) keep(port, 0, 0);
   for (const { id, x = 0, y = 0, width = 0, height = 0, ports = [] } of graph.children ?? []) {
-    placed.boxes.set(names.long(id), { x, y, width, height });
+    placed.boxes.set(id, { x, y, width, height });
     for (const port of ports) keep(port, x, y);
   }
   for (const edge of graph.edges ?? []) {
     const points = (edge.sections ?? []).flatMap((section) => [section.startPoint, ...(section.bendPoints ?? []), section.endPoint]);
-    placed.edges.set(names.long(edge.id), { points, junctions: edge.junctionPoints ?? [] });
+    placed.edges.set(edge.id, { points, junctions: edge.junctionPoints ?? [] });
   }
   return placed;
 }

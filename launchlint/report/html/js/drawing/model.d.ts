@@ -175,6 +175,8 @@ export interface Point {
 export interface Screen {
   aspect: number;
   width: number;
+  /** Things stand closer together. */
+  dense: boolean;
 }
 
 export interface Placed {

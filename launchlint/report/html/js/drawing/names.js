@@ -70,6 +70,39 @@ export function cut(text, most) {
 }
 
 /**
+ * Names at most `most` characters long that stand beside each other: those whose ends are the same are told apart by where they differ.
+ * @param {readonly string[]} names
+ * @param {number} most
+ * @returns {Map<string, string>}
+ */
+export function briefNames(names, most) {
+  /** @type {Map<string, string[]>} */
+  const alike = new Map();
+  for (const name of new Set(names)) {
+    const brief = shortName(name, "", most);
+    const others = alike.get(brief);
+    if (others) others.push(name);
+    else alike.set(brief, [name]);
+  }
+  /** @type {Map<string, string>} */
+  const found = new Map();
+  for (const [brief, same] of alike) {
+    if (same.length === 1) found.set(/** @type {string} */ (same[0]), brief);
+    else for (const name of same) found.set(name, fromWhereTheyPart(name, same, most));
+  }
+  return found;
+}
+
+/** @param {string} name @param {readonly string[]} names @param {number} most */
+function fromWhereTheyPart(name, names, most) {
+  let same = 0;
+  while (same < name.length && names.every((each) => each[same] === name[same])) same++;
+  const from = Math.max(...["/", "_", "-", "."].map((sign) => name.lastIndexOf(sign, same - 1))) + 1;
+  const rest = from > 1 ? `…${name.slice(from)}` : name;
+  return rest.length <= most ? rest : `${rest.slice(0, most - 1)}…`;
+}
+
+/**
  * "1 node", "3 nodes".
  * @param {number} count
  * @param {string} noun

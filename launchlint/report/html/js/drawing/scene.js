@@ -8,7 +8,7 @@ import { levelsOf } from "./levels.js";
 import { masked } from "./mask.js";
 import { sheetOf } from "./sheet.js";
 import { viewOf } from "./view.js";
-import { LEGIBLE, fitting, readable } from "./viewport.js";
+import { LEGIBLE, fitting, room } from "./viewport.js";
 import { Drawn } from "./walk.js";
 
 /** @typedef {import("../data").ReportData} ReportData */
@@ -38,7 +38,7 @@ export class Director {
     /** @type {Map<string, Promise<Placed>>} */
     this.cache = new Map();
     /** The viewport when the view was first drawn: later changes of its size move nothing. */
-    this.screen = { aspect: 1, width: Infinity };
+    this.screen = { aspect: 1, width: Infinity, dense: false };
     this.seen = { key: "", place: "", view: /** @type {View | null} */ (null) };
     this.laid = { key: "", view: /** @type {View | null} */ (null) };
     this.former = { key: "", view: /** @type {View | null} */ (null) };
@@ -137,8 +137,12 @@ export class Director {
       return isLegible(tried) ? tried : null;
     };
     let scene = await this.stage(view, withFocus(view, []));
-    // Where the fewest boxes are too many already, more of them are no better.
-    if (!order.length || !isLegible(scene)) return scene;
+    if (!isLegible(scene)) {
+      // Where the fewest boxes are too many already, more of them are no better.
+      this.screen = { ...this.screen, dense: true };
+      return this.stage(view, withFocus(view, []));
+    }
+    if (!order.length) return scene;
     const everything = await trial(order);
     if (everything) return everything;
     let [fits, tooMany] = [0, order.length];
@@ -190,13 +194,15 @@ function roomOf({ boxes, edges }) {
 }
 
 /** Square pixels of a drawing whose names can be read. @param {{ width: number, height: number }} extent of the viewport, in pixels */
-function roomIn({ width, height }) {
+function roomIn(extent) {
+  const { width, height } = room(extent);
   return (width * height) / LEGIBLE ** 2;
 }
 
 /** @param {{ width: number, height: number }} extent of the viewport, in pixels @returns {import("./model").Screen} */
-function screenOf({ width, height }) {
-  return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: readable(width) };
+function screenOf(extent) {
+  const { width, height } = room(extent);
+  return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: width / LEGIBLE, dense: false };
 }
 
 /** The same state with nothing switched off, filtered or hidden that leaves a place of its own. @param {ViewState} state @returns {ViewState} */

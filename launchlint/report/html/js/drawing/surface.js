@@ -244,9 +244,8 @@ export class Surface {
         found.boxes += 1;
         found.folded += scene?.view.counts.get(box.id) ?? 0;
       }
-      // What is cut in half is not seen.
-      const [middle, centre] = [place.x + (x + width / 2) * place.scale, place.y + (y + height / 2) * place.scale];
-      const isSeen = middle > 0 && centre > 0 && middle < extent.width && centre < extent.height;
+      const [left, top] = [place.x + x * place.scale, place.y + y * place.scale];
+      const isSeen = left > -1 && top > -1 && left + width * place.scale < extent.width + 1 && top + height * place.scale < extent.height + 1;
       if (!isSeen && box.kind !== "open") found.outside += 1;
     }
     return found;

@@ -23,12 +23,16 @@ const READABLE = 0.5;
  * @param {{ width: number, height: number }} extent of the screen
  */
 export function fitting(size, extent) {
-  return Math.min((extent.width - 2 * MARGIN) / Math.max(1, size.width), (extent.height - 2 * MARGIN - FOOT) / Math.max(1, size.height));
+  const { width, height } = room(extent);
+  return Math.min(width / Math.max(1, size.width), height / Math.max(1, size.height));
 }
 
-/** The widest drawing of which all can be read at once. @param {number} width of the screen */
-export function readable(width) {
-  return (width - 2 * MARGIN) / LEGIBLE;
+/**
+ * What a drawing has of the screen.
+ * @param {{ width: number, height: number }} extent of the screen
+ */
+export function room({ width, height }) {
+  return { width: Math.max(1, width - 2 * MARGIN), height: Math.max(1, height - 2 * MARGIN - FOOT) };
 }
 
 export class Viewport {

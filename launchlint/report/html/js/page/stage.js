@@ -143,7 +143,7 @@ function drawnSelection(page, { selection, entry, configuration }) {
 function leftOut({ folded, boxes, outside }, untouched) {
   const words = [];
   if (folded > 0) words.push(`${number(folded, "node")} in ${number(boxes, "folded box", "folded boxes")}`);
-  if (untouched && outside > 0) words.push(`${number(outside, "box", "boxes")} beyond the edge: drag, or Fit`);
+  if (untouched && outside > 0) words.push(`${number(outside, "box", "boxes")} at or beyond the edge: drag, or Fit`);
   return words.join(" · ");
 }
 
