@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from launchlint.check import copied, copied_block, fragments
 from launchlint.finding import Finding, Severity
 from launchlint.named_tuple import NamedTuple
 from launchlint.order import most_severe_first, ordered, total
@@ -104,6 +103,8 @@ def _standing_for(findings: Sequence[Finding], told: Sequence[Told]) -> Iterator
 
 def _told(findings: Sequence[Finding]) -> Finding:
     """One finding for ``findings``, as the rule of the one that speaks for them says."""
+    from launchlint.check import copied, copied_block, fragments
+
     first = spokesman(findings)
     if first.cause.startswith(fragments.PREFIX):
         return fragments.told_together(most_severe_first(findings))

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Sequence
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
 from launchlint.check.ignores import PerFileIgnores
-from launchlint.check.judges import judged
 from launchlint.check.known import Known
 from launchlint.check.options import Options
 from launchlint.check.ours import Ours
@@ -124,7 +123,10 @@ def merge(
             if same is None or finding.severity > same.severity:
                 of_files[finding.key] = finding
     collected += of_files.values()
-    collected = judged(collected, Known(packages, options.root, reached, by_default, of_entries))
+    if collected:
+        from launchlint.check.judges import judged  # a dozen modules that a file without findings does without
+
+        collected = judged(collected, Known(packages, options.root, reached, by_default, of_entries))
     collected += whole.findings if workspace else ()
     collected = list(Ours(options, asked).brought_home(collected))
     crashes = [finding for finding in collected if finding.rule == INTERNAL_ERROR]
