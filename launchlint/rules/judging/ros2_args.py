@@ -195,12 +195,17 @@ def environment(problem: EnvUnset, rule: Rule, view: LaunchView, reason: str, sl
     """``$(env …)`` of a variable that is not set; ``reason`` is why that may be meant, ``slip`` the variable that was meant."""
     name = problem.variable
     written = words_at(problem.origin).call("env", name, "DEFAULT")
+    stops = f"ros2 launch stops with: environment variable '{name}' does not exist"
+    place = problem.place
+    if place.source.path.endswith(".py") and place.text.startswith("os."):
+        written = f"os.environ.get('{name}', 'DEFAULT')"
+        stops = f"ros2 launch stops with: KeyError: '{name}'"
     advice = f"write {written}, or give it a value under env: in .launchlint.yaml if it is always set"
     yield rule.at(
         problem.origin,
         f"the environment variable {name} is not set here",
         severity=Severity.INFO if reason else None,
-        notes=(f"where it is not set ros2 launch stops with: environment variable '{name}' does not exist", *([reason] if reason else [])),
+        notes=(f"where it is not set {stops}", *([reason] if reason else [])),
         help=advice if slip is None else f"did you mean {slip}?",
         topic=name,
         cause=name,

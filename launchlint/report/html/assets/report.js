@@ -3392,6 +3392,7 @@ ${counted(about.nodes, "node")}`;
         return isLegible(tried) ? tried : null;
       };
       let scene = await this.stage(view, withFocus(view, []));
+      if (this.screen.dense) return scene;
       if (!isLegible(scene)) {
         this.screen = { ...this.screen, dense: true };
         return this.stage(view, withFocus(view, []));

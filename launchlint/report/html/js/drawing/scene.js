@@ -137,8 +137,9 @@ export class Director {
       return isLegible(tried) ? tried : null;
     };
     let scene = await this.stage(view, withFocus(view, []));
+    // Where the fewest boxes are too many already, more of them are no better.
+    if (this.screen.dense) return scene;
     if (!isLegible(scene)) {
-      // Where the fewest boxes are too many already, more of them are no better.
       this.screen = { ...this.screen, dense: true };
       return this.stage(view, withFocus(view, []));
     }
