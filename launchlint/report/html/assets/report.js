@@ -518,7 +518,7 @@
     const isBrief = group3.kind === "tray";
     const inNamespace = group3.namespace === node.namespace || view.state.grouping === "namespace" && !isBrief;
     const lines = isBrief ? [{ kind: "title", text: namesIn(view, group3).get(node.name) ?? node.name }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
-    if (node.program && !isBrief) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
+    if (node.program && !isBrief && !view.terse) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
     const classes = ["node"];
     const when2 = view.presence.of(node.only, node.mark);
     const conditional = node.conditions.length > 0 || view.presence.conditional(when2, view.now);
@@ -568,7 +568,7 @@
     const unknown = about.unknown && about.unknown < about.nodes ? ` · ${about.unknown} unknown` : "";
     const only2 = about.nodes === 1 ? `: ${cut(lastPart(((_a = view.entry.nodes[about.first]) == null ? void 0 : _a.name) ?? ""), LONGEST.label)}` : unknown;
     const detail = group3.kind === "tray" ? unknown.replace(" · ", "") : `${counted(about.nodes, "node")}${only2}`;
-    if (detail) lines.push({ kind: "detail", text: detail });
+    if (detail && !view.terse) lines.push({ kind: "detail", text: detail });
     const classes = ["folded", group3.kind];
     if (about.nodes && about.unknown === about.nodes) classes.push("unknown");
     if (about.mark) classes.push(about.mark);
@@ -730,7 +730,7 @@ ${counted(about.nodes, "node")}`;
     const root = (options = {}) => ({
       id: "root",
       layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
-      children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...screen.dense ? DENSE : {}, ...options } }]
+      children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...screen.density === "plain" ? {} : DENSE, ...options } }]
     });
     let best = asPlaced(await engine.layout(root()));
     if (!part2.ports.length) {
@@ -1161,7 +1161,7 @@ ${counted(about.nodes, "node")}`;
     );
     const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
     const head2 = level.group.kind === "root" ? MARGIN2 : HEAD;
-    const shape2 = { head: head2, least, screen, gap: level.group.kind === "tray" || screen.dense ? NARROW_GAP : GAP };
+    const shape2 = { head: head2, least, screen, gap: level.group.kind === "tray" || screen.density !== "plain" ? NARROW_GAP : GAP };
     all.set(level.group.id, pack(parts3, blocks, shape2));
     return all;
   }
@@ -3286,6 +3286,10 @@ ${counted(about.nodes, "node")}`;
   // launchlint/report/html/js/drawing/scene.js
   var TRIALS2 = 4;
   var WIDEST = 2.4;
+  var DENSER = (
+    /** @type {const} */
+    ["dense", "terse"]
+  );
   var LINE2 = 14e3;
   var Director = class {
     /** @param {ReportData} data @param {Engine} engine @param {Measure} measure */
@@ -3294,7 +3298,7 @@ ${counted(about.nodes, "node")}`;
       this.engine = engine;
       this.measure = measure;
       this.cache = /* @__PURE__ */ new Map();
-      this.screen = { aspect: 1, width: Infinity, dense: false };
+      this.screen = { aspect: 1, width: Infinity, density: "plain" };
       this.seen = { key: "", place: "", view: (
         /** @type {View | null} */
         null
@@ -3386,16 +3390,17 @@ ${counted(about.nodes, "node")}`;
       const isLegible = (tried) => fitting(tried.sheet, extent) >= LEGIBLE;
       const trial = async (ids) => {
         const open2 = withFocus(view, ids);
-        const whole = levelsOf(view, open2, this.measure);
+        const whole = this.levels(view, open2);
         if (roomOf(whole) > roomIn(extent)) return null;
         const tried = await this.stage(view, open2, view, whole);
         return isLegible(tried) ? tried : null;
       };
       let scene = await this.stage(view, withFocus(view, []));
-      if (this.screen.dense) return scene;
-      if (!isLegible(scene)) {
-        this.screen = { ...this.screen, dense: true };
-        return this.stage(view, withFocus(view, []));
+      if (this.screen.density !== "plain") return scene;
+      for (const density of isLegible(scene) ? [] : DENSER) {
+        this.screen = { ...this.screen, density };
+        scene = await this.stage(view, withFocus(view, []));
+        if (density === "terse" || isLegible(scene)) return scene;
       }
       if (!order.length) return scene;
       const everything = await trial(order);
@@ -3420,12 +3425,16 @@ ${counted(about.nodes, "node")}`;
       }
       return scene;
     }
+    /** @param {View} view @param {Set<string>} open @returns {Level} */
+    levels(view, open) {
+      return levelsOf(this.screen.density === "terse" ? { ...view, terse: true } : view, open, this.measure);
+    }
     /** @param {View} view @param {Level} whole @param {Set<string>} open @returns {Promise<Map<string, Placed>>} */
     async laidOut(view, whole, open) {
       const fresh = (level) => layOut(this.engine, level, this.measure, this.cache, this.screen);
       const former2 = this.before(view);
       if (!former2) return fresh(whole);
-      const before = levelsOf(former2, open, this.measure);
+      const before = this.levels(former2, open);
       const turn = (box2) => turnOf(view.entry, box2.id);
       return grown(whole, before, { standing: await fresh(before), fresh, turn, measure: this.measure });
     }
@@ -3436,7 +3445,7 @@ ${counted(about.nodes, "node")}`;
      * @param {Level} [whole] what is in it
      * @returns {Promise<Scene>}
      */
-    async stage(view, open, shown2 = view, whole = levelsOf(view, open, this.measure)) {
+    async stage(view, open, shown2 = view, whole = this.levels(view, open)) {
       const placed = await this.laidOut(view, whole, open);
       const root = shown2 === view ? whole : masked(whole, shown2, this.measure);
       return { view: shown2, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
@@ -3451,7 +3460,7 @@ ${counted(about.nodes, "node")}`;
   }
   function screenOf(extent) {
     const { width, height } = room(extent);
-    return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: width / LEGIBLE, dense: false };
+    return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: width / LEGIBLE, density: "plain" };
   }
   function wholeState(state) {
     return { ...state, layers: { topics: true, services: true, actions: true, params: state.layers.params }, findingsOnly: false, tray: true, hidden: /* @__PURE__ */ new Set(), filter: "" };

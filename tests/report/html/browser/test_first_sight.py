@@ -143,3 +143,18 @@ def test_nodes_in_a_circle_stand_in_as_many_rows_as_can_be_read(browser: Browser
     assert page.evaluate(OVERLAPPING) == []
     assert page.evaluate(CUT) == 0
     page.close()
+
+
+@pytest.mark.corpus
+def test_what_is_too_much_even_so_has_its_names_only(browser: Browser, tmp_path: Path) -> None:
+    directory, launch = Path(str(find_corpus())) / "ros1/ipa320+cob_robots", "cob_bringup/robots/cob4-16.xml"
+    target = tmp_path / "report.html"
+    write_report(directory, target, launch, "--workspace", ".")
+    page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
+    page.goto(target.as_uri())
+    drawn(page)
+    assert page.locator("#drawing > svg .box").count() > 25
+    assert page.evaluate(SMALLEST) >= 9
+    assert page.evaluate(CUT) == 0
+    assert page.evaluate(OVERLAPPING) == []
+    page.close()

@@ -60,7 +60,7 @@ export async function layOut(engine, level, measure, cache, screen) {
   );
   const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
   const head = level.group.kind === "root" ? MARGIN : HEAD;
-  const shape = { head, least, screen, gap: level.group.kind === "tray" || screen.dense ? NARROW_GAP : GAP };
+  const shape = { head, least, screen, gap: level.group.kind === "tray" || screen.density !== "plain" ? NARROW_GAP : GAP };
   all.set(level.group.id, pack(parts, blocks, shape));
   return all;
 }

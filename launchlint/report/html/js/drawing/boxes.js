@@ -59,7 +59,7 @@ export function nodeBox(view, index, group, measure) {
   const inNamespace = group.namespace === node.namespace || (view.state.grouping === "namespace" && !isBrief);
   /** @type {Line[]} */
   const lines = isBrief ? [{ kind: "title", text: namesIn(view, group).get(node.name) ?? node.name }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
-  if (node.program && !isBrief) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
+  if (node.program && !isBrief && !view.terse) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
   const classes = ["node"];
   const when = view.presence.of(node.only, node.mark);
   const conditional = node.conditions.length > 0 || view.presence.conditional(when, view.now);
@@ -121,7 +121,7 @@ export function foldedBox(view, group, measure) {
   const only = about.nodes === 1 ? `: ${cut(lastPart(view.entry.nodes[about.first]?.name ?? ""), LONGEST.label)}` : unknown;
   // The tray's name says how many there are.
   const detail = group.kind === "tray" ? unknown.replace(" · ", "") : `${counted(about.nodes, "node")}${only}`;
-  if (detail) lines.push({ kind: "detail", text: detail });
+  if (detail && !view.terse) lines.push({ kind: "detail", text: detail });
   const classes = ["folded", group.kind];
   if (about.nodes && about.unknown === about.nodes) classes.push("unknown");
   if (about.mark) classes.push(about.mark);

@@ -130,7 +130,7 @@ async function run(engine, part, graph, screen) {
   const root = (options = {}) => ({
     id: "root",
     layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
-    children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...(screen.dense ? DENSE : {}), ...options } }],
+    children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...(screen.density === "plain" ? {} : DENSE), ...options } }],
   });
   let best = asPlaced(await engine.layout(root()));
   if (!part.ports.length) {

@@ -68,6 +68,8 @@ export interface View {
   stubs: Set<string>;
   /** The place of each node in the order of the launch files, by its index. */
   ranks: Int32Array;
+  /** Boxes have names only. */
+  terse?: boolean;
   /** Machines that nodes of the launch file run on, roslaunch's own among them. */
   machines: number;
 }
@@ -175,8 +177,8 @@ export interface Point {
 export interface Screen {
   aspect: number;
   width: number;
-  /** Things stand closer together. */
-  dense: boolean;
+  /** How much room things have; where it is little, they stand closer together, and terse boxes have names only. */
+  density: "plain" | "dense" | "terse";
 }
 
 export interface Placed {

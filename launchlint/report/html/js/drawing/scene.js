@@ -26,6 +26,8 @@ import { Drawn } from "./walk.js";
 /** Layouts that are tried. */
 const TRIALS = 4;
 const WIDEST = 2.4;
+/** What is tried one after the other where not all can be read. */
+const DENSER = /** @type {const} */ (["dense", "terse"]);
 /** Square pixels that a line takes with its name and the way around others: half of the least in layouts of public robots. */
 const LINE = 14_000;
 
@@ -38,7 +40,8 @@ export class Director {
     /** @type {Map<string, Promise<Placed>>} */
     this.cache = new Map();
     /** The viewport when the view was first drawn: later changes of its size move nothing. */
-    this.screen = { aspect: 1, width: Infinity, dense: false };
+    /** @type {import("./model").Screen} */
+    this.screen = { aspect: 1, width: Infinity, density: "plain" };
     this.seen = { key: "", place: "", view: /** @type {View | null} */ (null) };
     this.laid = { key: "", view: /** @type {View | null} */ (null) };
     this.former = { key: "", view: /** @type {View | null} */ (null) };
@@ -131,17 +134,18 @@ export class Director {
     /** @param {string[]} ids @returns {Promise<Scene | null>} null where it cannot be read */
     const trial = async (ids) => {
       const open = withFocus(view, ids);
-      const whole = levelsOf(view, open, this.measure);
+      const whole = this.levels(view, open);
       if (roomOf(whole) > roomIn(extent)) return null;
       const tried = await this.stage(view, open, view, whole);
       return isLegible(tried) ? tried : null;
     };
     let scene = await this.stage(view, withFocus(view, []));
     // Where the fewest boxes are too many already, more of them are no better.
-    if (this.screen.dense) return scene;
-    if (!isLegible(scene)) {
-      this.screen = { ...this.screen, dense: true };
-      return this.stage(view, withFocus(view, []));
+    if (this.screen.density !== "plain") return scene;
+    for (const density of isLegible(scene) ? [] : DENSER) {
+      this.screen = { ...this.screen, density };
+      scene = await this.stage(view, withFocus(view, []));
+      if (density === "terse" || isLegible(scene)) return scene;
     }
     if (!order.length) return scene;
     const everything = await trial(order);
@@ -165,12 +169,17 @@ export class Director {
     return scene;
   }
 
+  /** @param {View} view @param {Set<string>} open @returns {Level} */
+  levels(view, open) {
+    return levelsOf(this.screen.density === "terse" ? { ...view, terse: true } : view, open, this.measure);
+  }
+
   /** @param {View} view @param {Level} whole @param {Set<string>} open @returns {Promise<Map<string, Placed>>} */
   async laidOut(view, whole, open) {
     const fresh = (/** @type {Level} */ level) => layOut(this.engine, level, this.measure, this.cache, this.screen);
     const former = this.before(view);
     if (!former) return fresh(whole);
-    const before = levelsOf(former, open, this.measure);
+    const before = this.levels(former, open);
     const turn = (/** @type {Box} */ box) => turnOf(view.entry, box.id);
     return grown(whole, before, { standing: await fresh(before), fresh, turn, measure: this.measure });
   }
@@ -182,7 +191,7 @@ export class Director {
    * @param {Level} [whole] what is in it
    * @returns {Promise<Scene>}
    */
-  async stage(view, open, shown = view, whole = levelsOf(view, open, this.measure)) {
+  async stage(view, open, shown = view, whole = this.levels(view, open)) {
     const placed = await this.laidOut(view, whole, open);
     const root = shown === view ? whole : masked(whole, shown, this.measure);
     return { view: shown, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
@@ -203,7 +212,7 @@ function roomIn(extent) {
 /** @param {{ width: number, height: number }} extent of the viewport, in pixels @returns {import("./model").Screen} */
 function screenOf(extent) {
   const { width, height } = room(extent);
-  return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: width / LEGIBLE, dense: false };
+  return { aspect: Math.min(WIDEST, Math.max(1 / WIDEST, width / height)), width: width / LEGIBLE, density: "plain" };
 }
 
 /** The same state with nothing switched off, filtered or hidden that leaves a place of its own. @param {ViewState} state @returns {ViewState} */
