@@ -1647,10 +1647,13 @@ ${counted(about.nodes, "node")}`;
       const [first, last] = [cell(start2), cell(end)];
       const costs = new Float64Array(2 * columns * ys.length).fill(Infinity);
       const from = new Int32Array(2 * columns * ys.length).fill(-1);
+      const done = new Uint8Array(2 * columns * ys.length);
       const open = new Heap();
       costs[2 * first] = 0;
       open.add(2 * first, 0);
       for (let state = open.take(); state !== void 0; state = open.take()) {
+        if (done[state]) continue;
+        done[state] = 1;
         const at = state >> 1;
         if (at === last) return this.back(from, state);
         const [x, y, isUpright] = [at % columns, Math.floor(at / columns), state & 1];
@@ -1722,56 +1725,72 @@ ${counted(about.nodes, "node")}`;
   }
   var Heap = class {
     constructor() {
-      this.all = [];
+      this.costs = [];
+      this.turns = [];
+      this.whats = [];
       this.turn = 0;
     }
     /** @param {number} what @param {number} cost */
     add(what, cost) {
-      const { all } = this;
-      all.push([cost, this.turn++, what]);
-      for (let at = all.length - 1; at > 0; ) {
+      const turn = this.turn++;
+      let at = this.costs.length;
+      for (; at > 0; ) {
         const above = at - 1 >> 1;
-        if (!this.before(at, above)) break;
-        this.swap(at, above);
+        if (cost >= /** @type {number} */
+        this.costs[above]) break;
+        this.move(above, at);
         at = above;
       }
+      this.put(at, cost, turn, what);
     }
     /** @returns {number | undefined} */
     take() {
-      const { all } = this;
-      const first = all[0];
-      const last = all.pop();
-      if (!first || !last || !all.length) return first == null ? void 0 : first[2];
-      all[0] = last;
-      for (let at = 0; ; ) {
-        let least = at;
-        for (const below of [2 * at + 1, 2 * at + 2]) if (below < all.length && this.before(below, least)) least = below;
-        if (least === at) break;
-        this.swap(at, least);
-        at = least;
+      const first = this.whats[0];
+      const [cost, turn, what] = [this.costs.pop(), this.turns.pop(), this.whats.pop()];
+      const size = this.costs.length;
+      if (!size || cost === void 0 || turn === void 0 || what === void 0) return first;
+      let at = 0;
+      for (let below = 1; below < size; below = 2 * at + 1) {
+        if (below + 1 < size && this.before(
+          below + 1,
+          /** @type {number} */
+          this.costs[below],
+          /** @type {number} */
+          this.turns[below]
+        )) below += 1;
+        if (!this.before(below, cost, turn)) break;
+        this.move(below, at);
+        at = below;
       }
-      return first[2];
+      this.put(at, cost, turn, what);
+      return first;
     }
-    /** @param {number} one @param {number} other */
-    before(one2, other) {
-      const [a, b] = [
-        /** @type {[number, number, number]} */
-        this.all[one2],
-        /** @type {[number, number, number]} */
-        this.all[other]
-      ];
-      return a[0] < b[0] || a[0] === b[0] && a[1] < b[1];
+    /** @param {number} at @param {number} cost @param {number} turn */
+    before(at, cost, turn) {
+      const own = (
+        /** @type {number} */
+        this.costs[at]
+      );
+      return own < cost || own === cost && /** @type {number} */
+      this.turns[at] < turn;
     }
-    /** @param {number} one @param {number} other */
-    swap(one2, other) {
-      const [a, b] = [
-        /** @type {[number, number, number]} */
-        this.all[one2],
-        /** @type {[number, number, number]} */
-        this.all[other]
-      ];
-      this.all[one2] = b;
-      this.all[other] = a;
+    /** @param {number} from @param {number} to */
+    move(from, to) {
+      this.put(
+        to,
+        /** @type {number} */
+        this.costs[from],
+        /** @type {number} */
+        this.turns[from],
+        /** @type {number} */
+        this.whats[from]
+      );
+    }
+    /** @param {number} at @param {number} cost @param {number} turn @param {number} what */
+    put(at, cost, turn, what) {
+      this.costs[at] = cost;
+      this.turns[at] = turn;
+      this.whats[at] = what;
     }
   };
 
@@ -1963,11 +1982,16 @@ ${counted(about.nodes, "node")}`;
       const taken = [...Array.from(all.boxes.values(), (area) => wider(area, ROOM)), ...Array.from(all.labels.values(), (area) => wider(area, 8)), ...lines.map((area) => wider(area, 10))];
       let [best, least] = [{ x: MARGIN2, y: all.height }, Infinity];
       const last = { x: Math.max(MARGIN2, all.width - MARGIN2 - width), y: all.height + ROOM };
-      for (let y = this.head; y <= last.y; y += STEP4) {
+      const rows2 = [];
+      for (let y = this.head; y <= last.y; y += STEP4) rows2.push({ y, cost: Math.abs(y - wanted.y) + form.high * Math.max(0, y + height + MARGIN2 - all.height) });
+      for (const row2 of rows2.sort((a, b) => a.cost - b.cost || a.y - b.y)) {
+        if (row2.cost > least) break;
+        const beside = taken.filter((area) => area.y < row2.y + height && row2.y < area.y + area.height);
         for (let x = MARGIN2; x <= last.x + STEP4; x += STEP4) {
-          const at = { x: Math.min(x, last.x), y };
-          const cost = Math.abs(at.x - wanted.x) + Math.abs(y - wanted.y) + form.wide * Math.max(0, at.x + width + MARGIN2 - all.width) + form.high * Math.max(0, y + height + MARGIN2 - all.height);
-          if (cost < least && !taken.some((area) => overlap(area, { ...at, width, height }))) [best, least] = [at, cost];
+          const at = { x: Math.min(x, last.x), y: row2.y };
+          const cost = row2.cost + Math.abs(at.x - wanted.x) + form.wide * Math.max(0, at.x + width + MARGIN2 - all.width);
+          const isNearer = cost < least || cost === least && at.y < best.y;
+          if (isNearer && !beside.some((area) => area.x < at.x + width && at.x < area.x + area.width)) [best, least] = [at, cost];
         }
       }
       return best;

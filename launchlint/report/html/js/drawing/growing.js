@@ -238,11 +238,17 @@ class Growth {
     const taken = [...Array.from(all.boxes.values(), (area) => wider(area, ROOM)), ...Array.from(all.labels.values(), (area) => wider(area, 8)), ...lines.map((area) => wider(area, 10))];
     let [best, least] = [{ x: MARGIN, y: all.height }, Infinity];
     const last = { x: Math.max(MARGIN, all.width - MARGIN - width), y: all.height + ROOM };
-    for (let y = this.head; y <= last.y; y += STEP) {
+    const rows = [];
+    for (let y = this.head; y <= last.y; y += STEP) rows.push({ y, cost: Math.abs(y - wanted.y) + form.high * Math.max(0, y + height + MARGIN - all.height) });
+    // The nearest rows first: what is farther away than a place that is free is not looked at.
+    for (const row of rows.sort((a, b) => a.cost - b.cost || a.y - b.y)) {
+      if (row.cost > least) break;
+      const beside = taken.filter((area) => area.y < row.y + height && row.y < area.y + area.height);
       for (let x = MARGIN; x <= last.x + STEP; x += STEP) {
-        const at = { x: Math.min(x, last.x), y };
-        const cost = Math.abs(at.x - wanted.x) + Math.abs(y - wanted.y) + form.wide * Math.max(0, at.x + width + MARGIN - all.width) + form.high * Math.max(0, y + height + MARGIN - all.height);
-        if (cost < least && !taken.some((area) => overlap(area, { ...at, width, height }))) [best, least] = [at, cost];
+        const at = { x: Math.min(x, last.x), y: row.y };
+        const cost = row.cost + Math.abs(at.x - wanted.x) + form.wide * Math.max(0, at.x + width + MARGIN - all.width);
+        const isNearer = cost < least || (cost === least && at.y < best.y);
+        if (isNearer && !beside.some((area) => area.x < at.x + width && at.x < area.x + area.width)) [best, least] = [at, cost];
       }
     }
     return best;

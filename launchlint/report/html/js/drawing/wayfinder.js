@@ -93,11 +93,14 @@ class Grid {
     const [first, last] = [cell(start), cell(end)];
     const costs = new Float64Array(2 * columns * ys.length).fill(Infinity);
     const from = new Int32Array(2 * columns * ys.length).fill(-1);
+    const done = new Uint8Array(2 * columns * ys.length);
     const open = new Heap();
     // A state is a cell, and whether the way came to it upright.
     costs[2 * first] = 0;
     open.add(2 * first, 0);
     for (let state = open.take(); state !== undefined; state = open.take()) {
+      if (done[state]) continue;
+      done[state] = 1;
       const at = state >> 1;
       if (at === last) return this.back(from, state);
       const [x, y, isUpright] = [at % columns, Math.floor(at / columns), state & 1];
@@ -149,50 +152,61 @@ function atLeast(all, least) {
 /** Gives what costs least first; of equals what came first. */
 class Heap {
   constructor() {
-    /** @type {[cost: number, turn: number, what: number][]} */
-    this.all = [];
+    /** @type {number[]} */
+    this.costs = [];
+    /** @type {number[]} */
+    this.turns = [];
+    /** @type {number[]} */
+    this.whats = [];
     this.turn = 0;
   }
 
   /** @param {number} what @param {number} cost */
   add(what, cost) {
-    const { all } = this;
-    all.push([cost, this.turn++, what]);
-    for (let at = all.length - 1; at > 0; ) {
+    const turn = this.turn++;
+    let at = this.costs.length;
+    for (; at > 0; ) {
       const above = (at - 1) >> 1;
-      if (!this.before(at, above)) break;
-      this.swap(at, above);
+      // What came later stands behind its equals.
+      if (cost >= /** @type {number} */ (this.costs[above])) break;
+      this.move(above, at);
       at = above;
     }
+    this.put(at, cost, turn, what);
   }
 
   /** @returns {number | undefined} */
   take() {
-    const { all } = this;
-    const first = all[0];
-    const last = all.pop();
-    if (!first || !last || !all.length) return first?.[2];
-    all[0] = last;
-    for (let at = 0; ; ) {
-      let least = at;
-      for (const below of [2 * at + 1, 2 * at + 2]) if (below < all.length && this.before(below, least)) least = below;
-      if (least === at) break;
-      this.swap(at, least);
-      at = least;
+    const first = this.whats[0];
+    const [cost, turn, what] = [this.costs.pop(), this.turns.pop(), this.whats.pop()];
+    const size = this.costs.length;
+    if (!size || cost === undefined || turn === undefined || what === undefined) return first;
+    let at = 0;
+    for (let below = 1; below < size; below = 2 * at + 1) {
+      if (below + 1 < size && this.before(below + 1, /** @type {number} */ (this.costs[below]), /** @type {number} */ (this.turns[below]))) below += 1;
+      if (!this.before(below, cost, turn)) break;
+      this.move(below, at);
+      at = below;
     }
-    return first[2];
+    this.put(at, cost, turn, what);
+    return first;
   }
 
-  /** @param {number} one @param {number} other */
-  before(one, other) {
-    const [a, b] = [/** @type {[number, number, number]} */ (this.all[one]), /** @type {[number, number, number]} */ (this.all[other])];
-    return a[0] < b[0] || (a[0] === b[0] && a[1] < b[1]);
+  /** @param {number} at @param {number} cost @param {number} turn */
+  before(at, cost, turn) {
+    const own = /** @type {number} */ (this.costs[at]);
+    return own < cost || (own === cost && /** @type {number} */ (this.turns[at]) < turn);
   }
 
-  /** @param {number} one @param {number} other */
-  swap(one, other) {
-    const [a, b] = [/** @type {[number, number, number]} */ (this.all[one]), /** @type {[number, number, number]} */ (this.all[other])];
-    this.all[one] = b;
-    this.all[other] = a;
+  /** @param {number} from @param {number} to */
+  move(from, to) {
+    this.put(to, /** @type {number} */ (this.costs[from]), /** @type {number} */ (this.turns[from]), /** @type {number} */ (this.whats[from]));
+  }
+
+  /** @param {number} at @param {number} cost @param {number} turn @param {number} what */
+  put(at, cost, turn, what) {
+    this.costs[at] = cost;
+    this.turns[at] = turn;
+    this.whats[at] = what;
   }
 }
