@@ -16,6 +16,10 @@ MOST_KEPT = 1 << 20
 """Characters of source whose trees are kept for the next program: a tree takes about a hundred times as much memory."""
 
 
+_DEEPEST = 4
+"""Directories within each other, none of which has an ``__init__.py``, that are looked into for modules."""
+
+
 class ModuleFinder:
     """Modules of the packages whose directories are given, by name.
 
@@ -155,10 +159,15 @@ def _module(root: str, relative: str) -> str | None:
         return os.path.join(path, "__init__.py")
     if relative and looking.is_file(path + ".py"):
         return path + ".py"
-    return path + os.sep if os.sep not in relative and looking.is_directory(path) and _has_python(path) else None
+    return path + os.sep if looking.is_directory(path) and _has_python(path, _DEEPEST) else None
 
 
-def _has_python(directory: str) -> bool:
-    """Whether a directory without ``__init__.py`` may be meant as a package."""
+def _has_python(directory: str, deep: int) -> bool:
+    """Whether a directory without ``__init__.py`` may be meant as a package, be it that modules are only further down (PEP 420)."""
     names = looking.names(directory)
-    return any(name.endswith(".py") for name in names) and "package.xml" not in names
+    if "package.xml" in names:
+        return False
+    return any(name.endswith(".py") for name in names) or any(
+        name.isidentifier() and looking.is_directory(below) and _has_python(below, deep - 1)
+        for name, below in ((name, os.path.join(directory, name)) for name in sorted(names) if deep > 1)
+    )

@@ -133,6 +133,19 @@ def test_modules_that_cmake_installs(tmp_path: Path) -> None:
     assert [each.name for each in follow(tmp_path, source, path="scripts/node.py").facts] == ["far"]
 
 
+def test_modules_below_directories_without_an_init_file(tmp_path: Path) -> None:
+    files = {"package.xml": MANIFEST, "setup.py": "setup(packages=['p'])", "p/__init__.py": "", "p/parts/deep/names.py": "T = 'deep'\n"}
+    write(tmp_path, {**files, "p/data/photo/list.txt": ""})
+    source = (
+        "import rclpy\nfrom std_msgs.msg import String\nfrom .parts.deep.names import T\nfrom .data.photo import other\n"
+        "def main():\n    node = rclpy.create_node('n')\n    node.create_publisher(String, T, 1)\n    other.made(node)\n"
+    )
+    found = follow(tmp_path, source, "p.entry:main", "p/entry.py")
+    assert [each.name for each in found.facts] == ["deep"]
+    # A directory in which no module is, however deep, is no package.
+    assert any("p.data.photo" in each.reason for each in found.doubts)
+
+
 def test_an_entry_point_that_is_not_there(tmp_path: Path) -> None:
     found = follow(tmp_path, ENTRY, "p.entry:missing", "p/entry.py")
     assert "its entry point missing was not found" in {each.reason for each in found.doubts}

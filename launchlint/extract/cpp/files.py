@@ -16,15 +16,21 @@ from launchlint.workspace.looking import LARGEST_FILE, read_bytes
 _MOST_FILES = 600
 _MOST_BYTES = 8 << 20
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]{1,300})[>"]', re.MULTILINE)
-_MOST_KEPT = 4 << 20
+_MOST_KEPT = _MOST_BYTES  # as much as one program may have, so that the next one finds all of it
 _MOST_HEADERS = 100_000
 
 
 class Trees:
-    """The trees of the files that were read last, for programs that share them, and what their headers were found to be."""
+    """The trees of the files that were read last, for programs that share them, and what their headers were found to be.
+
+    Those of the program that is being read are there in any case, so that only the others are bounded: a program that is larger than
+    the bound would otherwise leave nothing to the next one, which reads the same headers in the same order.
+    """
 
     def __init__(self) -> None:
         self._kept: OrderedDict[tuple[str, int, int], Root] = OrderedDict()
+        self._present: set[tuple[str, int, int]] = set()
+        self._spare = 0
         self._headers: dict[tuple[str, ...], dict[tuple[str, str], str | None]] = {}
         self._found = 0
 
@@ -43,14 +49,22 @@ class Trees:
     def of(self, path: str, data: bytes) -> Root:
         """The tree of the file at ``path`` with content ``data``."""
         key = (os.path.realpath(path), len(data), hash(data))
-        if key in self._kept:
-            self._kept.move_to_end(key)
-            return self._kept[key]
-        tree = parse(data)
-        self._kept[key] = tree
-        while len(self._kept) > 1 and sum(size for _, size, _ in self._kept) > _MOST_KEPT:
-            self._kept.popitem(last=False)
+        tree = self._kept.get(key)
+        if tree is None:
+            tree = self._kept[key] = parse(data)
+        elif key not in self._present:
+            self._spare -= len(data)
+        self._kept.move_to_end(key)
+        self._present.add(key)
         return tree
+
+    def next_program(self) -> None:
+        """What was read until now is of programs that are done: as much of it is kept as the bound says, what was read last first."""
+        self._spare += sum(size for _, size, _ in self._present)
+        self._present = set()
+        while self._spare > _MOST_KEPT:
+            (_, size, _), _ = self._kept.popitem(last=False)
+            self._spare -= size
 
 
 class File:
@@ -69,6 +83,7 @@ def read_files(
     """The files, included ones before those that include them, templates filled in; what could not be read, each with the reason; and the
     headers that are not here, each with whether it stands in quotes.
     """
+    trees.next_program()
     found: list[File] = []
     missing: dict[tuple[str, bool], None] = {}
     problems: list[str] = []
