@@ -27,6 +27,7 @@ from launchlint.python.values import (
     Text,
     Unknown,
     Value,
+    alike,
     alternatives,
     choice,
     is_maybe,
@@ -83,7 +84,7 @@ def function(run: Expressions, name: str, positional: Sequence[Value], keywords:
         items, complete = run.rounds(first)
         start = positional[1] if len(positional) > 1 else keywords.get("start", 0)
         start = start if isinstance(start, int) else 0
-        return Seq([Seq([start + at if complete else UNKNOWN, item]) for at, item in enumerate(items)], complete)
+        return alike(Seq([Seq([start + at if complete else UNKNOWN, item]) for at, item in enumerate(items)], complete))
     if name == "zip":
         lists = [run.rounds(each) for each in positional]
         return Seq([Seq(list(each)) for each in zip(*(items for items, _ in lists), strict=False)], all(complete for _, complete in lists))
@@ -164,7 +165,7 @@ def _sequence(name: str, value: Value, run: Expressions) -> Value:
             items = items[::-1]
         if name == "sorted" and all(isinstance(each, str) for each in items):
             items = sorted(items)
-        return Seq(list(items), complete)
+        return alike(Seq(list(items), complete))
     return UNKNOWN
 
 
@@ -341,12 +342,10 @@ def _seq_method(run: Expressions, receiver: Seq, name: str, positional: Sequence
 def _map_method(run: Expressions, receiver: Map, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
     entries = receiver.entries
     first = positional[0] if positional else UNKNOWN
-    if name in ("items", "iteritems", "viewitems"):
-        return Seq([Seq([key, value]) for key, value in entries.items()], receiver.complete)
-    if name in ("keys", "iterkeys", "viewkeys"):
-        return Seq(list(entries), receiver.complete)
-    if name in ("values", "itervalues", "viewvalues"):
-        return Seq(list(entries.values()), receiver.complete)
+    parts = {"items": [Seq([key, value]) for key, value in entries.items()], "keys": list(entries), "values": list(entries.values())}
+    part = parts.get(name.removeprefix("iter").removeprefix("view"))
+    if part is not None:
+        return alike(Seq(part, False)) if receiver.is_alike else Seq(part, receiver.complete)
     if name in ("get", "pop", "setdefault"):
         default = positional[1] if len(positional) > 1 else None
         if isinstance(first, (str, int, Text)):

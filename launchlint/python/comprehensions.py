@@ -6,6 +6,7 @@ import ast
 from collections.abc import Callable, Sequence
 
 from launchlint.python.conditions import written
+from launchlint.python.containers import keys_of
 from launchlint.python.letter import LATER, ToTheLetter
 from launchlint.python.values import (
     MISSING,
@@ -15,7 +16,11 @@ from launchlint.python.values import (
     Map,
     Scope,
     Seq,
+    Unknown,
     Value,
+    alike,
+    alternatives,
+    conjunction,
     is_maybe,
 )
 
@@ -43,7 +48,9 @@ class Comprehensions(ToTheLetter):
                 over, kind = Seq(list(over.items)), "listing"
         complete = self._generate(node.generators, inner, lambda: found.append(self.evaluate(node.elt, inner)), found, over)
         kind = kind if len(found) > 1 else "list"
-        return self.make_set(found, complete) if isinstance(node, ast.SetComp) else Seq(found, complete, kind=kind)
+        if isinstance(node, ast.SetComp):
+            return self.make_set(found, complete)
+        return Seq(found, complete, kind=kind) if self.exact else alike(Seq(found, complete, kind=kind))
 
     def _generator(self, node: ast.GeneratorExp, inner: Scope, scope: Scope) -> Value:
         """A generator: what it goes through is worked out now, the rest when something is taken of it."""
@@ -68,14 +75,17 @@ class Comprehensions(ToTheLetter):
         unhashable: list[bool] = []
 
         def take() -> None:
-            key, value = self.key(self.evaluate(node.key, inner)), self.evaluate(node.value, inner)
-            if key is not MISSING:
-                entries[key] = value
-            else:
-                unhashable.append(True)
+            keys, value = self.evaluate(node.key, inner), self.evaluate(node.value, inner)
+            for condition, each in (("", keys),) if self.exact else alternatives(keys):
+                key = self.key(each)
+                if key is not MISSING:
+                    entries[key] = Choice(((condition, value),)) if condition and not is_maybe(value) else value
+                else:
+                    unhashable.append(True)
 
         complete = self._generate(node.generators, inner, take, entries)
-        return Map(entries, complete and not unhashable)
+        made = Map(entries, complete and not unhashable)
+        return made if self.exact or unhashable else alike(made)
 
     def _generate(
         self,
@@ -90,7 +100,7 @@ class Comprehensions(ToTheLetter):
             take()
             return True
         first = generators[0]
-        items, complete = self.rounds(self.evaluate(first.iter, scope) if over is MISSING else over)
+        items, complete = self.rounds_of_each(self.evaluate(first.iter, scope) if over is MISSING else over)
         for item in items:
             mark, count = len(self.conditions), len(found)
             conditions = []
@@ -123,16 +133,30 @@ class Comprehensions(ToTheLetter):
             del self.conditions[mark:]
         return complete
 
+    def rounds_of_each(self, value: Value) -> tuple[list[Value], bool]:
+        """What a loop takes of a value that is one of several, each under its condition; of any other what :meth:`rounds` says."""
+        if self.exact or not isinstance(value, Choice) or not all(condition for condition, _ in value.alternatives):
+            return self.rounds(value)
+        found: list[Value] = []
+        complete = True
+        for condition, each in value.alternatives:
+            items, whole = self.rounds(each)
+            complete = complete and whole
+            for item in items:
+                said = tuple((conjunction((condition, inner)), one) for inner, one in alternatives(item))
+                found.append(item if isinstance(item, Unknown) else Choice(said))
+        return (found, complete) if len(found) <= MOST_ROUNDS else ([UNKNOWN], False)
+
     def rounds(self, value: Value) -> tuple[list[Value], bool]:
         """What a loop over ``value`` takes, and whether that is everything; one unknown thing where nothing is known."""
         if self.exact:
             return self._rounds_exactly(value)
         if isinstance(value, Seq) and len(value.items) <= MOST_ROUNDS:
-            if value.complete:
-                return value.items, True
+            if value.complete or value.is_alike:
+                return value.items, value.complete
             return [*value.items, UNKNOWN], False
-        if isinstance(value, Map) and value.complete and len(value.entries) <= MOST_ROUNDS:
-            return list(value.entries), True
+        if isinstance(value, Map) and (value.complete or value.is_alike) and len(value.entries) <= MOST_ROUNDS:
+            return keys_of(value), value.complete
         if isinstance(value, str) and len(value) <= MOST_ROUNDS:
             return list(value), True
         return [UNKNOWN], False

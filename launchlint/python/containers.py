@@ -8,7 +8,7 @@ from typing import Any
 from launchlint.python.failures import failure, of_python
 from launchlint.python.operations import equal
 from launchlint.python.plain import NotPlain, key_of, of_key, plain, value_of
-from launchlint.python.values import ENTRIES, ITEMS, KIND, MISSING, MOST_EXACT, Choice, Instance, Map, Seq, Value, is_maybe
+from launchlint.python.values import ENTRIES, ITEMS, KIND, MISSING, MOST_EXACT, Choice, Instance, Map, Seq, Value, alike, is_maybe
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -327,7 +327,13 @@ def _clear_dict(run: Expressions, receiver: Map, given: list[Value], keywords: d
 
 
 def _keys(run: Expressions, receiver: Map, given: list[Value], keywords: dict[str, Value]) -> Value:
-    return Seq(keys_of(receiver), receiver.complete, kind="view")
+    return _view(receiver, keys_of(receiver))
+
+
+def _view(receiver: Map, parts: list[Value]) -> Value:
+    """What a dict shows of its entries."""
+    made = Seq(parts, receiver.complete, kind="view")
+    return alike(made) if receiver.is_alike else made
 
 
 def keys_of(receiver: Map) -> list[Value]:
@@ -336,7 +342,7 @@ def keys_of(receiver: Map) -> list[Value]:
 
 
 def _values(run: Expressions, receiver: Map, given: list[Value], keywords: dict[str, Value]) -> Value:
-    return Seq(list(receiver.entries.values()), receiver.complete, kind="view")
+    return _view(receiver, list(receiver.entries.values()))
 
 
 def _pairs(run: Expressions, receiver: Map, given: list[Value], keywords: dict[str, Value]) -> Value:
@@ -345,7 +351,7 @@ def _pairs(run: Expressions, receiver: Map, given: list[Value], keywords: dict[s
         condition, known = value.alternatives[0] if is_maybe(value) else ("", value)
         pair = Seq([of_key(key), known], is_tuple=True)
         pairs.append(Choice(((condition, pair),)) if is_maybe(value) else pair)
-    return Seq(pairs, receiver.complete, kind="view")
+    return _view(receiver, pairs)
 
 
 _OF_LIST: Mapping[str, Callable[[Any, Seq, list[Value], dict[str, Value]], Value]] = {

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from launchlint.python.values import (
+    ALIKE,
     COMPLETE,
     ENTRIES,
     ITEMS,
@@ -164,7 +165,8 @@ GOES_ON, BROKEN, CONTINUED, RETURNED, ENDED = range(5)
 
 def _merged(key: Any, outcomes: list[tuple[str, Any]]) -> Any:
     if key == COMPLETE:
-        return all(value is True for _, value in outcomes)
+        known = {value for _, value in outcomes}
+        return True if known == {True} else ALIKE if known <= {True, ALIKE} else False
     if key == ITEMS:
         return _merged_items(outcomes)
     if key == ENTRIES:

@@ -36,6 +36,7 @@ from launchlint.python.values import (
     Unknown,
     Value,
     alternatives,
+    is_maybe,
 )
 from launchlint.python.writing import Writing
 
@@ -148,20 +149,18 @@ class Statements(Writing):
         if self.exact and isinstance(owner, (Seq, Map, Instance)):
             self._set_item_exactly(owner, index, value)
             return
-        if isinstance(owner, Map):
-            if hashable(index) and len(owner.entries) < 1_000:
-                self.store(owner.content, ENTRIES, {**owner.entries, index: value})
+        if isinstance(owner, Map) and hashable(index) and len(owner.entries) < 1_000 and not (owner.is_alike and index in owner.entries):
+            self.store(owner.content, ENTRIES, {**owner.entries, index: value})
+        elif isinstance(owner, Seq) and isinstance(index, int) and -len(owner.items) <= index < len(owner.items):
+            items = list(owner.items)
+            if owner.is_alike:  # what stands for all of its like stays
+                items.append(value)
             else:
-                self.store(owner.content, COMPLETE, False)
-                self.escape([value], "start")
-        elif isinstance(owner, Seq):
-            if isinstance(index, int) and -len(owner.items) <= index < len(owner.items):
-                items = list(owner.items)
                 items[index] = value
-                self.store(owner.content, ITEMS, items)
-            else:
-                self.store(owner.content, COMPLETE, False)
-                self.escape([value], "start")
+            self.store(owner.content, ITEMS, items)
+        elif isinstance(owner, (Map, Seq)):
+            self.store(owner.content, COMPLETE, False)
+            self.escape([value], "start")
         else:
             self.risks += 1
             if not isinstance(value, Unknown):
@@ -288,7 +287,7 @@ class Statements(Writing):
     def _for(self, node: ast.For | ast.AsyncFor, scope: Scope) -> int:
         if self.exact:
             return self.for_exactly(node, scope)
-        items, complete = self.rounds(self.evaluate(node.iter, scope))
+        items, complete = self.rounds_of_each(self.evaluate(node.iter, scope))
         mark = len(self.conditions)
         if not items and changes_later(node.iter, scope.module):
             items, complete = [UNKNOWN], False
@@ -317,8 +316,9 @@ class Statements(Writing):
         """A loop of which not all rounds are known."""
         self._widen(node.body, scope)
         said = " ".join(f"for {ast.unparse(node.target)} in {written(node.iter)}".split())
-        for item in items:
-            with self.branch(said if isinstance(item, Unknown) else "") as branch:
+        for each in items:
+            condition, item = each.alternatives[0] if is_maybe(each) else ("", each)
+            with self.branch(said if isinstance(item, Unknown) else condition) as branch:
                 self.assign(node.target, item, scope)
                 branch.flow = self.execute(node.body, scope)
                 if branch.flow in (BROKEN, CONTINUED):

@@ -23,6 +23,7 @@ SIGNS = ("\ue000", "\ue001")
 """In a :class:`Text`: parts that stand for something absolute (they begin with a slash); what they are, only the recogniser knows."""
 
 ITEMS, ENTRIES, COMPLETE, KIND = "\0items", "\0entries", "\0complete", "\0kind"
+ALIKE = "alike"
 """Keys of the content of lists and dicts; no attribute can be called so."""
 
 UNORDERED = ("set", "frozenset", "listing")
@@ -120,6 +121,7 @@ MISSING = Missing()
 class Seq:
     """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: its items and whether they are all.
 
+    Of one that is not complete, whatever else is in it may be like what is known of it: see :func:`alike`.
     ``kind`` is ``list``, ``tuple``, ``range``, one of :data:`UNORDERED`, ``view`` (of a dict) or ``iterator`` (its items are taken once).
     An item that may be there or not is a :class:`Choice` with one alternative.
     """
@@ -155,7 +157,12 @@ class Seq:
     @property
     def complete(self) -> bool:
         """Whether there are no others."""
-        return bool(self.content[COMPLETE])
+        return self.content[COMPLETE] is True
+
+    @property
+    def is_alike(self) -> bool:
+        """Whether others, if there are any, are like those that are known."""
+        return self.content[COMPLETE] is ALIKE
 
 
 class Key:
@@ -190,12 +197,28 @@ class Map:
     @property
     def complete(self) -> bool:
         """Whether there is nothing else in it."""
-        return bool(self.content[COMPLETE])
+        return self.content[COMPLETE] is True
+
+    @property
+    def is_alike(self) -> bool:
+        """Whether all else in it, if there is anything, is like what is known."""
+        return self.content[COMPLETE] is ALIKE
 
     @property
     def is_sure(self) -> bool:
         """Whether it is known which keys there are."""
         return self.complete and not any(map(is_maybe, self.entries.values()))
+
+
+def alike(made: Seq | Map) -> Seq | Map:
+    """A new list or dict of which each item that is not known was worked out as one that stands for all like it.
+
+    ``[f"/robot{number}" for number in range(count)]`` is one of ``/robot{any}`` where ``count`` is not known.
+    """
+    known = made.items if isinstance(made, Seq) else made.entries
+    if not made.complete and len(known) < MOST_EXACT:
+        made.content[COMPLETE] = ALIKE
+    return made
 
 
 class Argv(NamedTuple):
