@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 
 from launchlint.extract.cpp.declarators import (
     function_declarator,
@@ -389,7 +390,7 @@ class Declarations:
             for functions in self.functions.values():
                 for each in functions:
                     if each.body is not None and each.last != each.owner.rpartition("::")[2]:
-                        self._assigned.update(match[1] or match[2] or match[3] for match in _ASSIGNED.finditer(each.body.text))
+                        self._assigned.update(_assigned_in(each.body.text))
         return name in self._assigned
 
     def _by_alias(self, owner: str) -> str:
@@ -402,6 +403,12 @@ class Declarations:
             if owner.startswith(start + "::") and full + owner[len(start) :] in self.classes:
                 return full + owner[len(start) :]
         return owner
+
+
+@lru_cache(maxsize=8192)
+def _assigned_in(text: str) -> frozenset[str]:
+    """The names that a body assigns."""
+    return frozenset(match[1] or match[2] or match[3] for match in _ASSIGNED.finditer(text))
 
 
 def joined(scope: str, name: str) -> str:

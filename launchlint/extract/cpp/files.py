@@ -28,7 +28,7 @@ class Trees:
     """
 
     def __init__(self) -> None:
-        self._kept: OrderedDict[tuple[str, int, int], Root] = OrderedDict()
+        self._kept: OrderedDict[tuple[str, int, int], tuple[Root, list[tuple[str, bool]]]] = OrderedDict()
         self._present: set[tuple[str, int, int]] = set()
         self._spare = 0
         self._headers: dict[tuple[str, ...], dict[tuple[str, str], str | None]] = {}
@@ -46,17 +46,19 @@ class Trees:
             self._found += 1
         return known[key]
 
-    def of(self, path: str, data: bytes) -> Root:
-        """The tree of the file at ``path`` with content ``data``."""
-        key = (os.path.realpath(path), len(data), hash(data))
-        tree = self._kept.get(key)
-        if tree is None:
-            tree = self._kept[key] = parse(data)
+    def of(self, real: str, data: bytes) -> tuple[Root, list[tuple[str, bool]]]:
+        """The tree of the file at ``real``, a path without links, with content ``data``; and the headers that it includes, each with
+        whether it stands in quotes.
+        """
+        key = (real, len(data), hash(data))
+        known = self._kept.get(key)
+        if known is None:
+            known = self._kept[key] = parse(data), [(one[2].decode("utf-8", "replace"), one[1] == b'"') for one in _INCLUDE.finditer(data)]
         elif key not in self._present:
             self._spare -= len(data)
         self._kept.move_to_end(key)
         self._present.add(key)
-        return tree
+        return known
 
     def next_program(self) -> None:
         """What was read until now is of programs that are done: as much of it is kept as the bound says, what was read last first."""
@@ -111,8 +113,8 @@ def read_files(
         total += len(data)
         if any(each.path == path for each in templates):
             data = filled(data.decode("utf-8", "replace"), path, templates).encode()
-        pending.append((path, trees.of(path, data)))
-        spelled = [(match[2].decode("utf-8", "replace"), match[1] == b'"') for match in _INCLUDE.finditer(data)]
+        tree, spelled = trees.of(real, data)
+        pending.append((path, tree))
         included = [trees.header(name, quoted, path, directories) for name, quoted in spelled]
         missing.update((each, None) for each, header in zip(spelled, included, strict=True) if header is None)
         pending += [(each, None) for each in reversed(included) if each is not None]
