@@ -1,6 +1,7 @@
 """What others of their kind do: which of two loose ends were meant for each other is shown by two others that meet.
 
-- In another launch file of the workspace a remap leads the same name of the same program to the other one.
+- In another launch file of the workspace a remap leads the same name of the same program to the other one; or, where both are left
+  alone, that of another program.
 - Two others like them meet in this launch: copies of their programs, or names of the same nodes that differ in one word (`left/image`
   and `right/image`).
 - Another node that says the same name in its code is led to the other one by a remap.
@@ -12,7 +13,7 @@ import posixpath
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
-from launchlint.graph.connections import OFFERS, Endpoint
+from launchlint.graph.connections import CATEGORY, OFFERS, Endpoint
 from launchlint.graph.names import absolute
 from launchlint.late import late
 from launchlint.model import ROS1
@@ -62,6 +63,34 @@ class Examples:
                     return f"{file} starts {instance.program}, too, and remaps {written.source} to {written.target} there"
         return ""
 
+    def of_others(self, end: Endpoint, other: Endpoint) -> str:
+        """What it says of a remap of another program, in another launch file, that is just what would join the two; else empty."""
+        if self._view.dialect.name != ROS1:
+            return ""
+        for moved, stays in ((end, other), (other, end)):
+            namer = self._owners[id(moved)].namer
+            for program, written in () if moved.applied else self._same_text.get(moved.declared, ()):
+                joins = absolute(self._filled(written.target), namer.home, namer.node) == stays.name
+                if joins and (file := self._other(written.files)) and self._has_name(program, moved):
+                    return f"{file} starts {program} and remaps {written.source} to {written.target} there"
+        return ""
+
+    def _has_name(self, program: str, end: Endpoint) -> bool:
+        """Whether ``program`` is known to have the name of ``end`` in the same role."""
+        package, _, name = program.partition("/")
+        known = self._view.library.executable(package, name) or self._view.library.nodelet(program)
+        declarations = () if known is None else (each for variant in known.variants for each in variant.declarations)
+        return any((each.category, each.name) == (CATEGORY[end.role], end.declared) for each in declarations)
+
+    @cached_property
+    def _same_text(self) -> Mapping[str, Sequence[tuple[str, _Written]]]:
+        """The remaps of all programs in the launch files of the workspace, by the name that they lead elsewhere, as it is written."""
+        found: dict[str, list[tuple[str, _Written]]] = {}
+        for (program, _), remaps in self._written.items():
+            for each in remaps:
+                found.setdefault(each.source, []).append((program, each))
+        return found
+
     def _other(self, files: Sequence[str]) -> str:
         """The first file that is none of this launch."""
         found = next((file for file in files if file not in self._own), "")
@@ -97,11 +126,11 @@ class Examples:
         if self._owners[id(giver)].program == self._owners[id(taker)].program:
             return ""  # the links of a chain are all alike, and its two ends are for others
         for takes in self._meeting.get((self._owners[id(taker)].program, stands_for(taker.type)), ()):
-            if not _is_like(taker, takes, copies=True):
+            if not self._are_alike(taker, takes):
                 continue
             for gives in self._view.graph.channels[takes.kind, takes.name].offers:
                 same = self._owners[id(gives)].program == self._owners[id(giver)].program
-                if gives.node != takes.node and same and _is_like(giver, gives, copies=True) and gives.name != giver.name:
+                if gives.node != takes.node and same and self._are_alike(giver, gives) and gives.name != giver.name:
                     return f"{takes.node} and {gives.node} meet on {takes.name} as these two do not"
         return ""
 
@@ -114,6 +143,22 @@ class Examples:
                 return f"{each.node} says {each.declared}, too, which a remap leads to {other.name}"
         return ""
 
+    def _are_alike(self, end: Endpoint, other: Endpoint) -> bool:
+        """Whether they are the same name of two nodes, or two names of one node that differ in one word or number.
+
+        The same is what the code says so, and the only one that it takes from the same argument or param.
+        """
+        if end.node == other.node:
+            words, others = _SEPARATORS.split(end.declared), _SEPARATORS.split(other.declared)
+            return len(words) == len(others) and sum(one != two for one, two in zip(words, others, strict=True)) == 1
+        if end.declared == other.declared:
+            return True
+        said = end.declaration.name
+        return said == other.declaration.name and all(
+            sum(each.declaration.name == said and each.role == one.role for each in self._owners[id(one)].endpoints) == 1
+            for one in (end, other)
+        )
+
     @cached_property
     def _meeting(self) -> Mapping[tuple[str, str], Sequence[Endpoint]]:
         """By program and type those that take what somebody else gives."""
@@ -124,14 +169,6 @@ class Examples:
                     if each.certain:
                         found.setdefault((self._owners[id(each)].program, stands_for(each.type)), []).append(each)
         return found
-
-
-def _is_like(end: Endpoint, other: Endpoint, *, copies: bool) -> bool:
-    """Whether they are the same name of two nodes, or two names of one node that differ in one word or number."""
-    if end.node != other.node:
-        return copies and end.declared == other.declared
-    words, others = _SEPARATORS.split(end.declared), _SEPARATORS.split(other.declared)
-    return len(words) == len(others) and sum(one != two for one, two in zip(words, others, strict=True)) == 1
 
 
 def _remaps(packages: Packages) -> list[tuple[Mapping[tuple[str, str], Sequence[_Written]], Looked]]:

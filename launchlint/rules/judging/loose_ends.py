@@ -24,7 +24,7 @@ from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.judging.part_of_launch import comes_from_around
 from launchlint.rules.judging.said_elsewhere import says
 from launchlint.rules.judging.same_definition import STANDARD, is_known, stands_for
-from launchlint.rules.judging.signs import Signs
+from launchlint.rules.judging.signs import Signs, hears_itself
 from launchlint.rules.view import GraphView, tried
 
 _MOST_CANDIDATES = 40
@@ -40,6 +40,21 @@ Others = list[tuple[Channel, list[Endpoint]]]
 _CONNECTING_HUBS = frozenset({"/tf", "/tf_static"})
 
 
+class _Shown(NamedTuple):
+    """The other end that more than the names shows to be meant: its name, the ends there and what shows it.
+
+    ``written``: a remap says both names; ``misspelt``: one in a node of the two. ``sure``: that node has none of the names, or others of
+    their kind meet so: be it that one of the two nodes is at both ends.
+    """
+
+    channel: Channel
+    ends: list[Endpoint]
+    sign: str
+    written: bool = False
+    misspelt: bool = False
+    sure: bool = False
+
+
 class Missed(NamedTuple):
     """A loose end and what it was probably meant for.
 
@@ -47,7 +62,7 @@ class Missed(NamedTuple):
     ``loose`` says whether the other end is a loose one too;
     ``alike`` are all ends of the other name that are like it, itself included; ``feeding`` are those that it has on its other side.
     ``doubts`` are those who could be at the other end of one of the two, as far as can be known; ``sign`` is what else shows that they are
-    meant for each other, for people.
+    meant for each other, for people. ``heard``: its own node is at the other end, by a remap.
     """
 
     end: Endpoint
@@ -62,6 +77,7 @@ class Missed(NamedTuple):
     level: Severity
     doubts: tuple[Possible, ...] = ()
     sign: str = ""
+    heard: bool = False
 
 
 class LooseEnds:
@@ -126,7 +142,7 @@ class LooseEnds:
         if not is_known(end.type):  # it takes any type: only a slip says what it was meant for
             self._compared += len(candidates)
             own = {each.name for each in instance.endpoints}  # a relay from one name to the other made no slip
-            candidates = [each for each in candidates if relation(end.name, each.name) == SLIP and each.name not in own]
+            candidates = [each for each in candidates if each.name not in own and self._may_be_of_any_type(end, each)]
         if not candidates or len(candidates) > _MOST_CANDIDATES or not instance.certain or self._compared > _MOST_COMPARISONS:
             return None
         self._compared += sum(len(each.uses if offers else each.offers) for each in candidates)
@@ -140,17 +156,20 @@ class LooseEnds:
             if ends and channel.name != end.name:
                 ranked.setdefault(relation(end.name, channel.name), []).append((channel, ends))
         shown = None if SLIP in ranked else self._shown(end, ranked, doubts)
-        ranked.pop(TWIN, None)
+        written = shown is not None and shown.written
+        if not written:
+            ranked.pop(TWIN, None)
         if shown is None and self._sleeps(end):
             return None
-        how = next((each for each in RELATIONS if each in ranked), "") if shown is None else relation(end.name, shown[0].name)
+        how = next((each for each in RELATIONS if each in ranked), "") if shown is None else relation(end.name, shown.channel.name)
         if how not in ranked:
             return None
         loose = [each for each in ranked[how] if self._beside(each[0], offers=not offers) is not None]
         channels = (loose or ranked[how]) if shown is None else [shown[:2]]
         if len(channels) > 1 or (shown is None and not how and len(ranked[how]) > 1):
             return None  # it could be any of them
-        if any(each.node == end.node for each in (channels[0][0].offers if offers else channels[0][0].uses)):
+        has = any(each.node == end.node for each in (channels[0][0].offers if offers else channels[0][0].uses))
+        if has and not (shown is not None and shown.sure):
             return None  # the node has that name already, by another one in its code
         channel, ends = channels[0]
         loose = [each for each in loose if each[0] is channel]
@@ -187,7 +206,19 @@ class LooseEnds:
         found = Missed(
             end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level, doubts
         )
-        return found if shown is None else found._replace(sign=shown[2])
+        itself = hears_itself(self.graph.channels[end.kind, end.name])
+        return found._replace(sign="" if shown is None else shown.sign, heard=itself)
+
+    def _may_be_of_any_type(self, end: Endpoint, channel: Channel) -> bool:
+        """Whether more than the type says that ``end``, which takes any, was meant for what ``channel`` gives."""
+        offers, how = end.role in OFFERS, relation(end.name, channel.name)
+        if how == SLIP:
+            return True
+        if not _is_one_sided(channel, offers=not offers):
+            return False
+        if how == NAMESPACE and end.applied and not offers:
+            return True
+        return any(self._examples.counterparts(end, each) for each in (channel.uses if offers else channel.offers) if each.certain)
 
     def _is_of_others(self, end: Endpoint) -> bool:
         """Whether in ROS 2 the code says a global name below the name of a package of which nothing is started here: it is from there."""
@@ -196,24 +227,42 @@ class LooseEnds:
             return False
         return all(each.node.package != first for each in self._view.graph.instances)
 
-    def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> tuple[Channel, list[Endpoint], str] | None:
-        """The other end that more than the names shows to be meant, where there is just one, and what shows it."""
-        offers, signs = end.role in OFFERS, self._signs
+    def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> _Shown | None:
+        """The other end that more than the names shows to be meant, where there is just one."""
         everything = [each for others in ranked.values() for each in others]
-        loose = [each for each in everything if _is_one_sided(each[0], offers=not offers)]
-        found = self._exemplary(end, everything, loose, doubts)
-        if found:
-            if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
-                return None
-            return None if self._are_one_chain(end, found[0][0]) else found[0]
-        if end.type.startswith(_GENERIC) or self._sleeps(end):
+        loose = [each for each in everything if _is_one_sided(each[0], offers=end.role not in OFFERS)]
+        speaks = not end.type.startswith(_GENERIC) and not self._sleeps(end)
+        found = self._written(end, everything, loose) if speaks else []
+        found = found or self._exemplary(end, everything, loose, doubts)
+        if not found and speaks:
+            found = self._remaining(end, ranked, everything, loose, doubts)
+        if len(found) != 1:
             return None
+        heard = found[0].channel.uses or found[0].misspelt  # that remap names the other end, and so its node
+        return found[0] if heard or self._beside(found[0].channel, offers=True) is not None else None
+
+    def _written(self, end: Endpoint, everything: Others, loose: Others) -> list[_Shown]:
+        """The other ends that a remap names which does nothing as it stands."""
+        signs = self._signs
+        sure = _signed(end, everything, lambda one, other: signs.stray_remap(one, other, only_ends=False))
+        if sure:
+            return [each._replace(written=True, sure=True) for each in sure]
+        strays = _signed(end, loose, lambda one, other: signs.stray_remap(one, other, only_ends=True))
+        slips = [each._replace(misspelt=True) for each in _signed(end, loose, signs.misspelt_remap)]
+        return [each._replace(written=True) for each in strays if not self._are_one_chain(end, each.channel)] or [
+            each._replace(written=True) for each in slips
+        ]
+
+    def _remaining(
+        self, end: Endpoint, ranked: dict[str, Others], everything: Others, loose: Others, doubts: tuple[Possible, ...]
+    ) -> list[_Shown]:
+        """The other ends that are left when all others have met somebody, or were led to somebody elsewhere."""
+        offers, signs = end.role in OFFERS, self._signs
+        found: list[_Shown] = []
         same = [each for how in (NAMESPACE, SIBLING) for each in ranked.get(how, ())]
-        strays = [(each, [signs.stray_remap(end, one, only_ends=each in loose) for one in each[1]]) for each in everything]
-        found = [(*each, sign) for each, said in strays for sign in [each for each in said if each][:1]]
-        if not found and not offers and len(same) == 1 and (sign := self._lost(end, same[0], doubts)):
-            found = [(*same[0], sign)]
-        elif not found and len(loose) == 1 and self._are_only_loose_ends(end):
+        if not offers and len(same) == 1 and (sign := self._lost(end, same[0], doubts)):
+            found = [_Shown(*same[0], sign)]
+        elif len(loose) == 1 and self._are_only_loose_ends(end):
             ends = loose[0][1]
             signs_of = [signs.odd_one_out(each) for each in (end, *ends)]
             related = end.type.partition("/")[0] not in STANDARD or loose[0][0] not in [each[0] for each in ranked.get("", ())]
@@ -223,30 +272,49 @@ class LooseEnds:
                 signs_of += (signs.parting_remap(end, each) for each in ends)
             if len(everything) == 1 and not doubts and end.kind == "service" and not offers and not same:
                 signs_of.append(f"nobody else serves or calls a {end.type} here")
-            found = [(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
-        if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
-            return None
-        return None if self._are_one_chain(end, found[0][0]) else found[0]
+            if related:
+                signs_of.append(signs.hears_itself(end))
+            found = [_Shown(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
+        elif not offers and not doubts and self._is_only_one_unchosen(end, loose):
+            found = [
+                _Shown(*each, f"no other {end.type} is published under the name that the code says") for each in loose if _is_as_said(each)
+            ]
+        return [each for each in found if not self._are_one_chain(end, each.channel)]
 
-    def _exemplary(
-        self, end: Endpoint, everything: Others, loose: Others, doubts: tuple[Possible, ...]
-    ) -> list[tuple[Channel, list[Endpoint], str]]:
-        """The other ends that others of their kind show to be meant, and what shows it."""
+    def _is_only_one_unchosen(self, end: Endpoint, loose: Others) -> bool:
+        """Whether nobody else waits for the type, made for one purpose, by a name that a remap made, and one gives it as its code says.
+
+        Those that are led elsewhere are for others.
+        """
+        if not end.applied or self.graph.launch.given or end.type.partition("/")[0] in STANDARD:
+            return False
+        given = [each for each in loose if _is_as_said(each)]
+        if len(given) != 1 or given[0][0].offers[0].node == end.node:
+            return False
+        giving = {each.node for each in given[0][0].offers}
+        waiting = (each for each in self._candidates(end.kind, False, end.type) if _is_one_sided(each, offers=False))
+        return not any(each.name != end.name and not giving.issuperset(one.node for one in each.uses) for each in waiting)
+
+    def _exemplary(self, end: Endpoint, everything: Others, loose: Others, doubts: tuple[Possible, ...]) -> list[_Shown]:
+        """The other ends that others of their kind show to be meant."""
         examples = self._examples
         # Who publishes may have more results than anybody needs: only what waits for one was meant to get it.
         wanted = loose if end.role in OFFERS else everything
         found = [each for each in _signed(end, wanted, examples.elsewhere) if not self._is_one_of_copies(each, loose)]
-        if not found:
-            near = [
-                each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)
-            ]
-            found = _signed(
-                end, [each for each in near or loose if each in loose and not self._has_nearer(end, each[0])], examples.counterparts
-            )
-            certain = not doubts and not end.type.startswith(_GENERIC) and not self._signs.is_left_private(end)
-            if not found and end.role not in OFFERS and certain:
-                found = _signed(end, near or everything, examples.namesake)
-        return found
+        found = [each for each in found if not self._signs.are_one_chain(*_given_and_taken([end], each.ends))]
+        if found:
+            return found
+        near = [each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)]
+        open_ = [each for each in near or loose if each in loose and not self._has_nearer(end, each[0])]
+        mates = _signed(end, open_, examples.counterparts)
+        if mates:
+            return [each._replace(sure=True) for each in mates]  # be it in a chain: so are the others
+        if doubts or end.type.startswith(_GENERIC):
+            return []
+        if end.role not in OFFERS and not self._signs.is_left_private(end):
+            found = _signed(end, near or everything, examples.namesake)
+        found = found or [each for each in _signed(end, loose, examples.of_others) if not self._is_one_of_copies(each, loose)]
+        return [each for each in found if not self._are_one_chain(end, each.channel)]
 
     def _has_nearer(self, end: Endpoint, other: Channel) -> bool:
         """Whether another loose end on the side of ``end`` has the name of ``other`` in another namespace, and ``end`` has not."""
@@ -257,11 +325,11 @@ class LooseEnds:
         beside = (each for each in self._candidates(end.kind, offers, end.type) if _is_one_sided(each, offers=offers))
         return any(relation(each.name, other.name) in near for each in beside)
 
-    def _is_one_of_copies(self, other: tuple[Channel, list[Endpoint], str], loose: Others) -> bool:
+    def _is_one_of_copies(self, other: _Shown, loose: Others) -> bool:
         """Whether another loose end is the same name of the same program: what holds of the one holds of that, too."""
-        channel, ends, _ = other
-        roles = {(self.owners[id(each)].program, each.declared) for each in ends}
-        return any((self.owners[id(each)].program, each.declared) in roles for one, there in loose if one is not channel for each in there)
+        roles = {(self.owners[id(each)].program, each.declared) for each in other.ends}
+        beside = (each for one, there in loose if one is not other.channel for each in there)
+        return any((self.owners[id(each)].program, each.declared) in roles for each in beside)
 
     def _are_one_chain(self, end: Endpoint, other: Channel) -> bool:
         own = self.graph.channels[end.kind, end.name]
@@ -413,14 +481,28 @@ class LooseEnds:
 
 
 def _is_one_sided(channel: Channel, *, offers: bool) -> bool:
-    """Whether a name is only offered (``offers``) or only used, by all that is known, and is none that everybody has."""
-    return not (channel.uses if offers else channel.offers) and not channel.is_hub and not channel.is_plumbing
+    """Whether a name is only offered (``offers``) or only used, by all that is known, and is none that everybody has.
+
+    What a node says to itself since a remap makes one name of two is only used.
+    """
+    lone = not (channel.uses if offers else channel.offers) or (not offers and hears_itself(channel))
+    return lone and not channel.is_hub and not channel.is_plumbing
 
 
-def _signed(end: Endpoint, others: Others, sign: Callable[[Endpoint, Endpoint], str]) -> list[tuple[Channel, list[Endpoint], str]]:
+def _is_as_said(others: tuple[Channel, list[Endpoint]]) -> bool:
+    """Whether the launch file gives none of those ends its name."""
+    return not any(each.applied or each.declared != each.declaration.name for each in others[1])
+
+
+def _given_and_taken(ends: list[Endpoint], others: list[Endpoint]) -> tuple[list[Endpoint], list[Endpoint]]:
+    """The two sides of names that were meant for each other, who gives first."""
+    return (ends, others) if ends[0].role in OFFERS else (others, ends)
+
+
+def _signed(end: Endpoint, others: Iterable[tuple[Channel, list[Endpoint]]], sign: Callable[[Endpoint, Endpoint], str]) -> list[_Shown]:
     """Those of ``others`` of which a sign says that ``end`` was meant for them, and what it says."""
     said = [(channel, ends, [text for each in ends if (text := sign(end, each))]) for channel, ends in others]
-    return [(channel, ends, texts[0]) for channel, ends, texts in said if texts]
+    return [_Shown(channel, ends, texts[0]) for channel, ends, texts in said if texts]
 
 
 def _speak_alike(end: Endpoint, other: Endpoint) -> bool:

@@ -31,7 +31,7 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
     """The finding of ``rule`` about the loose ends of one cause; ``consequence`` says why they matter."""
     missed, others = cause.first, cause.others
     end, other = missed.end, missed.other
-    _, label = _ALONE[end.role]
+    label = "hears itself alone" if missed.heard else _ALONE[end.role][1]
     at_partner = _is_at_partner(missed)
     origin = _origin(missed)
     shown, place = (missed.instance, end) if at_partner else (missed.partner, other)
@@ -85,7 +85,8 @@ def _origin(missed: Missed) -> Origin:
 
 def _what(missed: Missed) -> str:
     end, other = missed.end, missed.other
-    alone = f"{_ALONE[end.role][0]} {end.name}, which {missed.instance.name} {TALKS[end.role]}"
+    nobody = _ALONE[end.role][0].replace("nobody", "nobody else", 1) if missed.heard else _ALONE[end.role][0]
+    alone = f"{nobody} {end.name}, which {missed.instance.name} {TALKS[end.role]}"
     return f"{alone}; {missed.partner.name} {TALKS[other.role]} {other.name}"
 
 

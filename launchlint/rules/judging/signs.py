@@ -3,7 +3,9 @@
 - A name below the node itself (``~odom``), on which no remap acts: nobody publishes there unless he was told to. It says nothing of a node
   that listens to several such names, of which a remap leads one somewhere and leaves two or more: they are inputs to choose from.
 - A remap on one of two ends that would meet without it.
-- A remap in another node, where it does nothing, that would join them.
+- A remap in another node, where it does nothing, that would join them; or in its own, with a letter too many, too few or wrong in the name
+  that it is to lead elsewhere.
+- A remap that leads what a node says to the name that it hears itself, where nobody else says anything.
 - A name that all other nodes of the same program have remapped.
 
 None of these counts for the two ends of a chain of nodes: what its last one gives is of the type of what its first one takes, and is not
@@ -16,10 +18,11 @@ from collections.abc import Callable, Iterable
 from functools import cached_property
 
 from launchlint.evaluate.problems import RemapReplaced
-from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint, Reading
+from launchlint.graph.connections import OFFERS, Channel, ConnectionGraph, Endpoint, Reading
 from launchlint.graph.names import absolute
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.name_places import Owners, is_inside
+from launchlint.rules.judging.near_names import SLIP, relation
 from launchlint.rules.judging.same_definition import stands_for
 from launchlint.source import Place
 
@@ -91,6 +94,27 @@ class Signs:
                 if sides == [moved.unremapped, stays.name]:
                     return f"a remap of {stray.source} to {stray.target} stands at {stray.place}, where it does nothing"
         return ""
+
+    def misspelt_remap(self, end: Endpoint, other: Endpoint) -> str:
+        """What it says of a remap in the node of one of the two that would lead it to the other but for a slip; empty where none does.
+
+        Not all of the names of that node need be known: it has this one, and on the other side just the name is left that was meant.
+        """
+        for moved, stays in ((end, other), (other, end)):
+            namer = self._owners[id(moved)].namer
+            for stray in () if moved.applied else self._strays_in.get(moved.node, ()):
+                source, target = (absolute(side, namer.home, namer.node) for side in (stray.source, stray.target))
+                if target == stays.name and relation(source, moved.unremapped) == SLIP:
+                    return f"a remap of {stray.source} to {stray.target} stands at {stray.place}; {moved.node} says {moved.declared}"
+        return ""
+
+    def hears_itself(self, end: Endpoint) -> str:
+        """What it says of a remap that leads what a node says to what it hears; empty where somebody else is there, or the code does so."""
+        channel = self._graph.channels[end.kind, end.name]
+        if end.role in OFFERS or not hears_itself(channel):
+            return ""
+        said = channel.offers[0].declared
+        return f"{end.node} hears nobody but itself there: what it says as {said} and what it hears as {end.declared} is {end.name}"
 
     def is_led_in_vain(self, end: Endpoint, other: Endpoint) -> bool:
         """Whether a remap with the name of ``other`` stands in the node of ``end`` and acts on nothing: it is told by LL601."""
@@ -181,6 +205,14 @@ class Signs:
         return strays
 
     @cached_property
+    def _strays_in(self) -> dict[str, list[_Stray]]:
+        """The same by the node that they stand in."""
+        found: dict[str, list[_Stray]] = {}
+        for each in (stray for strays in self._strays.values() for stray in strays):
+            found.setdefault(each.node, []).append(each)
+        return found
+
+    @cached_property
     def _vain(self) -> dict[str, list[str]]:
         """For each node both sides of the remaps inside it that act on nothing."""
         found: dict[str, list[str]] = {}
@@ -210,6 +242,14 @@ def _is_reached(nodes: set[str], wanted: set[str], following: Callable[[str], It
         nodes.update(more)
         waiting += more
     return bool(nodes & wanted) or len(nodes) >= _MOST_NODES
+
+
+def hears_itself(channel: Channel) -> bool:
+    """Whether one node alone says and hears it, and only since a remap makes one name of two in its code."""
+    ends = (*channel.offers, *channel.uses)
+    if not channel.offers or not channel.uses or len({each.node for each in ends}) != 1:
+        return False
+    return any(each.applied for each in ends) and not {each.declared for each in channel.offers} & {each.declared for each in channel.uses}
 
 
 def _is_private(end: Endpoint) -> bool:
