@@ -19,7 +19,8 @@ from launchlint.late import late
 from launchlint.model import ROS1
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.name_places import Owners
-from launchlint.rules.judging.same_definition import stands_for
+from launchlint.rules.judging.near_names import NAMESPACE, SLIP, relation
+from launchlint.rules.judging.same_definition import is_known, stands_for
 from launchlint.rules.view import GraphView
 from launchlint.workspace.looking import Looked, note
 from launchlint.workspace.packages import Packages
@@ -54,6 +55,8 @@ class Examples:
         if self._view.dialect.name != ROS1:
             return ""
         for moved, stays in ((end, other), (other, end)):
+            if moved.applied and stays.applied and relation(moved.name, stays.name) not in (NAMESPACE, SLIP):
+                continue  # both are led somewhere here, as for another robot
             instance = self._owners[id(moved)]
             namer = instance.namer
             last = moved.unremapped.rpartition("/")[2]
@@ -64,15 +67,18 @@ class Examples:
         return ""
 
     def of_others(self, end: Endpoint, other: Endpoint) -> str:
-        """What it says of a remap of another program, in another launch file, that is just what would join the two; else empty."""
+        """What it says of a remap of another program, in another launch file, that is just what would lead the one that takes to the other.
+
+        That it leads the one that gives to the name that is missing says less: others may give that, too.
+        """
         if self._view.dialect.name != ROS1:
             return ""
-        for moved, stays in ((end, other), (other, end)):
-            namer = self._owners[id(moved)].namer
-            for program, written in () if moved.applied else self._same_text.get(moved.declared, ()):
-                joins = absolute(self._filled(written.target), namer.home, namer.node) == stays.name
-                if joins and (file := self._other(written.files)) and self._has_name(program, moved):
-                    return f"{file} starts {program} and remaps {written.source} to {written.target} there"
+        giver, taker = (end, other) if end.role in OFFERS else (other, end)
+        namer = self._owners[id(taker)].namer
+        for program, written in () if taker.applied else self._same_text.get(taker.declared, ()):
+            joins = absolute(self._filled(written.target), namer.home, namer.node) == giver.name
+            if joins and (file := self._other(written.files)) and self._has_name(program, taker):
+                return f"{file} starts {program} and remaps {written.source} to {written.target} there"
         return ""
 
     def _has_name(self, program: str, end: Endpoint) -> bool:
@@ -130,7 +136,8 @@ class Examples:
                 continue
             for gives in self._view.graph.channels[takes.kind, takes.name].offers:
                 same = self._owners[id(gives)].program == self._owners[id(giver)].program
-                if gives.node != takes.node and same and self._are_alike(giver, gives) and gives.name != giver.name:
+                alike = same and self._are_alike(giver, gives) and _change_alike((giver, gives), (taker, takes))
+                if gives.node != takes.node and alike and gives.name != giver.name:
                     return f"{takes.node} and {gives.node} meet on {takes.name} as these two do not"
         return ""
 
@@ -146,18 +153,20 @@ class Examples:
     def _are_alike(self, end: Endpoint, other: Endpoint) -> bool:
         """Whether they are the same name of two nodes, or two names of one node that differ in one word or number.
 
-        The same is what the code says so, and the only one that it takes from the same argument or param.
+        The same is what the code says so, and the only one that it takes from the same argument or param. Of two results of one node the
+        names must have a word in common.
         """
         if end.node == other.node:
-            words, others = _SEPARATORS.split(end.declared), _SEPARATORS.split(other.declared)
-            return len(words) == len(others) and sum(one != two for one, two in zip(words, others, strict=True)) == 1
-        if end.declared == other.declared:
-            return True
+            words, others = _SEPARATORS.split(end.declared.lstrip("~/")), _SEPARATORS.split(other.declared.lstrip("~/"))
+            apart = sum(one != two for one, two in zip(words, others, strict=False))
+            return len(words) == len(others) and apart == 1 and (len(words) > 1 or end.role not in OFFERS)
         said = end.declaration.name
-        return said == other.declaration.name and all(
-            sum(each.declaration.name == said and each.role == one.role for each in self._owners[id(one)].endpoints) == 1
-            for one in (end, other)
-        )
+        return end.declared == other.declared or (self._is_only_one(end, said) and self._is_only_one(other, said))
+
+    def _is_only_one(self, end: Endpoint, said: str) -> bool:
+        """Whether ``said`` is what the code says for the name, and for no other one in that role; not where it takes any type."""
+        beside = (each for each in self._owners[id(end)].endpoints if each.role == end.role and each.declaration.name == said)
+        return is_known(end.type) and end.declaration.name == said and sum(1 for _ in beside) == 1
 
     @cached_property
     def _meeting(self) -> Mapping[tuple[str, str], Sequence[Endpoint]]:
@@ -169,6 +178,14 @@ class Examples:
                     if each.certain:
                         found.setdefault((self._owners[id(each)].program, stands_for(each.type)), []).append(each)
         return found
+
+
+def _change_alike(givers: tuple[Endpoint, Endpoint], takers: tuple[Endpoint, Endpoint]) -> bool:
+    """Whether the words in which two names of one node differ are the same on both sides, where both sides are of one node each."""
+    if any(one.node != other.node for one, other in (givers, takers)):
+        return True
+    given, taken = ([set(_SEPARATORS.split(each.declared.lstrip("~/"))) for each in pair] for pair in (givers, takers))
+    return [given[0] - given[1], given[1] - given[0]] == [taken[0] - taken[1], taken[1] - taken[0]]
 
 
 def _remaps(packages: Packages) -> list[tuple[Mapping[tuple[str, str], Sequence[_Written]], Looked]]:

@@ -292,7 +292,7 @@ class LooseEnds:
         if len(given) != 1 or given[0][0].offers[0].node == end.node:
             return False
         giving = {each.node for each in given[0][0].offers}
-        waiting = (each for each in self._candidates(end.kind, False, end.type) if _is_one_sided(each, offers=False))
+        waiting = self._one_sided(end, offers=False)
         return not any(each.name != end.name and not giving.issuperset(one.node for one in each.uses) for each in waiting)
 
     def _exemplary(self, end: Endpoint, everything: Others, loose: Others, doubts: tuple[Possible, ...]) -> list[_Shown]:
@@ -307,6 +307,8 @@ class LooseEnds:
         near = [each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)]
         open_ = [each for each in near or loose if each in loose and not self._has_nearer(end, each[0])]
         mates = _signed(end, open_, examples.counterparts)
+        if mates and end.role in OFFERS and any(self._is_rival(end, mates[0].ends, each) for each in self._one_sided(end, offers=True)):
+            return []
         if mates:
             return [each._replace(sure=True) for each in mates]  # be it in a chain: so are the others
         if doubts or end.type.startswith(_GENERIC):
@@ -316,14 +318,22 @@ class LooseEnds:
         found = found or [each for each in _signed(end, loose, examples.of_others) if not self._is_one_of_copies(each, loose)]
         return [each for each in found if not self._are_one_chain(end, each.channel)]
 
+    def _is_rival(self, end: Endpoint, others: list[Endpoint], channel: Channel) -> bool:
+        """Whether others of their kind show as well that what ``channel`` gives was meant for ``others``."""
+        pairs = ((giver, taker) for giver in channel.offers if giver.certain for taker in others if giver.node != taker.node)
+        return channel.name != end.name and any(self._examples.counterparts(*pair) for pair in pairs)
+
+    def _one_sided(self, end: Endpoint, *, offers: bool) -> list[Channel]:
+        """The names of the type of ``end`` that are only given, or only taken."""
+        return [each for each in self._candidates(end.kind, offers, end.type) if _is_one_sided(each, offers=offers)]
+
     def _has_nearer(self, end: Endpoint, other: Channel) -> bool:
         """Whether another loose end on the side of ``end`` has the name of ``other`` in another namespace, and ``end`` has not."""
         offers = end.role in OFFERS
         near = (NAMESPACE, SIBLING)
         if relation(end.name, other.name) in near:
             return False
-        beside = (each for each in self._candidates(end.kind, offers, end.type) if _is_one_sided(each, offers=offers))
-        return any(relation(each.name, other.name) in near for each in beside)
+        return any(relation(each.name, other.name) in near for each in self._one_sided(end, offers=offers))
 
     def _is_one_of_copies(self, other: _Shown, loose: Others) -> bool:
         """Whether another loose end is the same name of the same program: what holds of the one holds of that, too."""
@@ -353,7 +363,7 @@ class LooseEnds:
         """Whether no more than two names of the type of ``end`` have one side only, one each, beside others of its own node."""
         sides = []
         for offers in (True, False):
-            channels = [each for each in self._candidates(end.kind, offers, end.type) if _is_one_sided(each, offers=offers)]
+            channels = self._one_sided(end, offers=offers)
             own = offers != (end.role in OFFERS)
             sides.append([each for each in channels if not own or {other.node for other in (*each.offers, *each.uses)} != {end.node}])
         return all(len(channels) == 1 for channels in sides)
