@@ -8,7 +8,7 @@ such a node has one of the two names.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator
 
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
@@ -20,6 +20,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.examples import Examples
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
+from launchlint.rules.judging.one_sided import Others, Shown, given_and_taken, is_as_said, is_one_sided, signed, speak_alike, types
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.judging.part_of_launch import comes_from_around
 from launchlint.rules.judging.said_elsewhere import says
@@ -35,24 +36,7 @@ _GENERIC = ("std_msgs/", "std_srvs/")
 """Types that say nothing of what is meant."""
 _TO_REMAP = late(r"\{remap:([^{}|]+)\}")
 _PRIVATE = "{} lies below its own node, where others look only if a remap leads them there"
-Others = list[tuple[Channel, list[Endpoint]]]
-"""Names on the other side, with the ends there."""
 _CONNECTING_HUBS = frozenset({"/tf", "/tf_static"})
-
-
-class _Shown(NamedTuple):
-    """The other end that more than the names shows to be meant: its name, the ends there and what shows it.
-
-    ``written``: a remap says both names; ``misspelt``: one in a node of the two. ``sure``: that node has none of the names, or others of
-    their kind meet so: be it that one of the two nodes is at both ends.
-    """
-
-    channel: Channel
-    ends: list[Endpoint]
-    sign: str
-    written: bool = False
-    misspelt: bool = False
-    sure: bool = False
 
 
 class Missed(NamedTuple):
@@ -99,7 +83,7 @@ class LooseEnds:
     def missed(self, kind: str, *, offers: bool) -> Iterator[Missed]:
         """The loose ends of a kind that give (``offers``) or take, where something says what they were meant for: one for each name."""
         for channel in self.graph.channels.values():
-            if channel.kind != kind or not _is_one_sided(channel, offers=offers):
+            if channel.kind != kind or not is_one_sided(channel, offers=offers):
                 continue
             ends = [
                 end
@@ -124,7 +108,7 @@ class LooseEnds:
 
     def _beside(self, channel: Channel, *, offers: bool) -> tuple[Possible, ...] | None:
         """Who could be at the other end of a name of which only one side is known; None where somebody is, by all that is known."""
-        if not _is_one_sided(channel, offers=offers):
+        if not is_one_sided(channel, offers=offers):
             return None
         key = (id(channel), offers)
         if key not in self._possible:
@@ -151,7 +135,7 @@ class LooseEnds:
             ends = [
                 each
                 for each in (channel.uses if offers else channel.offers)
-                if each.certain and not each.action and each.node != end.node and _speak_alike(end, each)
+                if each.certain and not each.action and each.node != end.node and speak_alike(end, each)
             ]
             if ends and channel.name != end.name:
                 ranked.setdefault(relation(end.name, channel.name), []).append((channel, ends))
@@ -214,7 +198,7 @@ class LooseEnds:
         offers, how = end.role in OFFERS, relation(end.name, channel.name)
         if how == SLIP:
             return True
-        if not _is_one_sided(channel, offers=not offers):
+        if not is_one_sided(channel, offers=not offers):
             return False
         if how == NAMESPACE and end.applied and not offers:
             return True
@@ -227,10 +211,10 @@ class LooseEnds:
             return False
         return all(each.node.package != first for each in self._view.graph.instances)
 
-    def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> _Shown | None:
+    def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> Shown | None:
         """The other end that more than the names shows to be meant, where there is just one."""
         everything = [each for others in ranked.values() for each in others]
-        loose = [each for each in everything if _is_one_sided(each[0], offers=end.role not in OFFERS)]
+        loose = [each for each in everything if is_one_sided(each[0], offers=end.role not in OFFERS)]
         speaks = not end.type.startswith(_GENERIC) and not self._sleeps(end)
         found = self._written(end, everything, loose) if speaks else []
         found = found or self._exemplary(end, everything, loose, doubts)
@@ -241,27 +225,27 @@ class LooseEnds:
         heard = found[0].channel.uses or found[0].misspelt  # that remap names the other end, and so its node
         return found[0] if heard or self._beside(found[0].channel, offers=True) is not None else None
 
-    def _written(self, end: Endpoint, everything: Others, loose: Others) -> list[_Shown]:
+    def _written(self, end: Endpoint, everything: Others, loose: Others) -> list[Shown]:
         """The other ends that a remap names which does nothing as it stands."""
         signs = self._signs
-        sure = _signed(end, everything, lambda one, other: signs.stray_remap(one, other, only_ends=False))
+        sure = signed(end, everything, lambda one, other: signs.stray_remap(one, other, only_ends=False))
         if sure:
             return [each._replace(written=True, sure=True) for each in sure]
-        strays = _signed(end, loose, lambda one, other: signs.stray_remap(one, other, only_ends=True))
-        slips = [each._replace(misspelt=True) for each in _signed(end, loose, signs.misspelt_remap)]
+        strays = signed(end, loose, lambda one, other: signs.stray_remap(one, other, only_ends=True))
+        slips = [each._replace(misspelt=True) for each in signed(end, loose, signs.misspelt_remap)]
         return [each._replace(written=True) for each in strays if not self._are_one_chain(end, each.channel)] or [
             each._replace(written=True) for each in slips
         ]
 
     def _remaining(
         self, end: Endpoint, ranked: dict[str, Others], everything: Others, loose: Others, doubts: tuple[Possible, ...]
-    ) -> list[_Shown]:
+    ) -> list[Shown]:
         """The other ends that are left when all others have met somebody, or were led to somebody elsewhere."""
         offers, signs = end.role in OFFERS, self._signs
-        found: list[_Shown] = []
+        found: list[Shown] = []
         same = [each for how in (NAMESPACE, SIBLING) for each in ranked.get(how, ())]
         if not offers and len(same) == 1 and (sign := self._lost(end, same[0], doubts)):
-            found = [_Shown(*same[0], sign)]
+            found = [Shown(*same[0], sign)]
         elif len(loose) == 1 and self._are_only_loose_ends(end):
             ends = loose[0][1]
             signs_of = [signs.odd_one_out(each) for each in (end, *ends)]
@@ -274,10 +258,10 @@ class LooseEnds:
                 signs_of.append(f"nobody else serves or calls a {end.type} here")
             if related:
                 signs_of.append(signs.hears_itself(end))
-            found = [_Shown(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
+            found = [Shown(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
         elif not offers and not doubts and self._is_only_one_unchosen(end, loose):
             found = [
-                _Shown(*each, f"no other {end.type} is published under the name that the code says") for each in loose if _is_as_said(each)
+                Shown(*each, f"no other {end.type} is published under the name that the code says") for each in loose if is_as_said(each)
             ]
         return [each for each in found if not self._are_one_chain(end, each.channel)]
 
@@ -288,25 +272,25 @@ class LooseEnds:
         """
         if not end.applied or self.graph.launch.given or end.type.partition("/")[0] in STANDARD:
             return False
-        given = [each for each in loose if _is_as_said(each)]
+        given = [each for each in loose if is_as_said(each)]
         if len(given) != 1 or given[0][0].offers[0].node == end.node:
             return False
         giving = {each.node for each in given[0][0].offers}
         waiting = self._one_sided(end, offers=False)
         return not any(each.name != end.name and not giving.issuperset(one.node for one in each.uses) for each in waiting)
 
-    def _exemplary(self, end: Endpoint, everything: Others, loose: Others, doubts: tuple[Possible, ...]) -> list[_Shown]:
+    def _exemplary(self, end: Endpoint, everything: Others, loose: Others, doubts: tuple[Possible, ...]) -> list[Shown]:
         """The other ends that others of their kind show to be meant."""
         examples = self._examples
         # Who publishes may have more results than anybody needs: only what waits for one was meant to get it.
         wanted = loose if end.role in OFFERS else everything
-        found = [each for each in _signed(end, wanted, examples.elsewhere) if not self._is_one_of_copies(each, loose)]
-        found = [each for each in found if not self._signs.are_one_chain(*_given_and_taken([end], each.ends))]
+        found = [each for each in signed(end, wanted, examples.elsewhere) if not self._is_one_of_copies(each, loose)]
+        found = [each for each in found if not self._signs.are_one_chain(*given_and_taken([end], each.ends))]
         if found:
             return found
         near = [each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)]
         open_ = [each for each in near or loose if each in loose and not self._has_nearer(end, each[0])]
-        mates = _signed(end, open_, examples.counterparts)
+        mates = signed(end, open_, examples.counterparts)
         if mates and end.role in OFFERS and any(self._is_rival(end, mates[0].ends, each) for each in self._one_sided(end, offers=True)):
             return []
         if mates:
@@ -314,8 +298,8 @@ class LooseEnds:
         if doubts or end.type.startswith(_GENERIC):
             return []
         if end.role not in OFFERS and not self._signs.is_left_private(end):
-            found = _signed(end, near or everything, examples.namesake)
-        found = found or [each for each in _signed(end, loose, examples.of_others) if not self._is_one_of_copies(each, loose)]
+            found = signed(end, near or everything, examples.namesake)
+        found = found or [each for each in signed(end, loose, examples.of_others) if not self._is_one_of_copies(each, loose)]
         return [each for each in found if not self._are_one_chain(end, each.channel)]
 
     def _is_rival(self, end: Endpoint, others: list[Endpoint], channel: Channel) -> bool:
@@ -325,7 +309,7 @@ class LooseEnds:
 
     def _one_sided(self, end: Endpoint, *, offers: bool) -> list[Channel]:
         """The names of the type of ``end`` that are only given, or only taken."""
-        return [each for each in self._candidates(end.kind, offers, end.type) if _is_one_sided(each, offers=offers)]
+        return [each for each in self._candidates(end.kind, offers, end.type) if is_one_sided(each, offers=offers)]
 
     def _has_nearer(self, end: Endpoint, other: Channel) -> bool:
         """Whether another loose end on the side of ``end`` has the name of ``other`` in another namespace, and ``end`` has not."""
@@ -335,7 +319,7 @@ class LooseEnds:
             return False
         return any(relation(each.name, other.name) in near for each in self._one_sided(end, offers=offers))
 
-    def _is_one_of_copies(self, other: _Shown, loose: Others) -> bool:
+    def _is_one_of_copies(self, other: Shown, loose: Others) -> bool:
         """Whether another loose end is the same name of the same program: what holds of the one holds of that, too."""
         roles = {(self.owners[id(each)].program, each.declared) for each in other.ends}
         beside = (each for one, there in loose if one is not other.channel for each in there)
@@ -383,6 +367,8 @@ class LooseEnds:
         offers = end.role in OFFERS
         instance, giver = self.owners[id(end)], self.owners[id(end if offers else other)]
         alone, source = not self._is_connected(instance), self._is_source(giver)
+        if how == SLIP and not loose and end.name.rpartition("/")[2] == other.name.rpartition("/")[2]:
+            return Severity.INFO if alone else None  # a letter of the namespace apart, and somebody is there: two groups
         if how == SLIP and (loose or alone or not _is_plural(end.name, other.name)):
             return Severity.WARNING
         private = any(self._signs.is_left_private(each) for each in ((end, other) if offers or not end.applied else (end,)))
@@ -480,7 +466,7 @@ class LooseEnds:
                 if channel.is_hub or channel.is_plumbing:
                     continue
                 for side, ends in ((True, channel.offers), (False, channel.uses)):
-                    for known in (*_types(ends), *(("",) if any(end.certain for end in ends) else ())):
+                    for known in (*types(ends), *(("",) if any(end.certain for end in ends) else ())):
                         self._by_type.setdefault((channel.kind, side, known), []).append(channel)
         return self._by_type.get((kind, offers, stands_for(type_) if is_known(type_) else ""), [])
 
@@ -488,39 +474,6 @@ class LooseEnds:
     def _apart(one: Instance, other: Instance) -> tuple[bool, int, str]:
         at, there = one.node.origin.place, other.node.origin.place
         return at.source is not there.source, abs(at.span.start - there.span.start), other.name
-
-
-def _is_one_sided(channel: Channel, *, offers: bool) -> bool:
-    """Whether a name is only offered (``offers``) or only used, by all that is known, and is none that everybody has.
-
-    What a node says to itself since a remap makes one name of two is only used.
-    """
-    lone = not (channel.uses if offers else channel.offers) or (not offers and hears_itself(channel))
-    return lone and not channel.is_hub and not channel.is_plumbing
-
-
-def _is_as_said(others: tuple[Channel, list[Endpoint]]) -> bool:
-    """Whether the launch file gives none of those ends its name."""
-    return not any(each.applied or each.declared != each.declaration.name for each in others[1])
-
-
-def _given_and_taken(ends: list[Endpoint], others: list[Endpoint]) -> tuple[list[Endpoint], list[Endpoint]]:
-    """The two sides of names that were meant for each other, who gives first."""
-    return (ends, others) if ends[0].role in OFFERS else (others, ends)
-
-
-def _signed(end: Endpoint, others: Iterable[tuple[Channel, list[Endpoint]]], sign: Callable[[Endpoint, Endpoint], str]) -> list[_Shown]:
-    """Those of ``others`` of which a sign says that ``end`` was meant for them, and what it says."""
-    said = [(channel, ends, [text for each in ends if (text := sign(end, each))]) for channel, ends in others]
-    return [_Shown(channel, ends, texts[0]) for channel, ends, texts in said if texts]
-
-
-def _speak_alike(end: Endpoint, other: Endpoint) -> bool:
-    return not is_known(end.type) or stands_for(other.type) == stands_for(end.type)
-
-
-def _types(ends: Iterable[Endpoint]) -> set[str]:
-    return {stands_for(end.type) for end in ends if end.certain and is_known(end.type)}
 
 
 def last_part(end: Endpoint) -> str:
