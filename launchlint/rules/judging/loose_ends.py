@@ -368,7 +368,7 @@ class LooseEnds:
         instance, giver = self.owners[id(end)], self.owners[id(end if offers else other)]
         alone, source = not self._is_connected(instance), self._is_source(giver)
         if how == SLIP and not loose and end.name.rpartition("/")[2] == other.name.rpartition("/")[2]:
-            return Severity.INFO if alone else None  # a letter of the namespace apart, and somebody is there: two groups
+            return None  # a letter of the namespace apart, and somebody is there: two groups
         if how == SLIP and (loose or alone or not _is_plural(end.name, other.name)):
             return Severity.WARNING
         private = any(self._signs.is_left_private(each) for each in ((end, other) if offers or not end.applied else (end,)))
