@@ -1,28 +1,39 @@
-"""Packages that were copied: what their ``package.xml`` lack is told once."""
+"""Packages that were copied, and those of people who do not declare what they use: what their ``package.xml`` lack is told once."""
 
 from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Sequence
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Related, Severity
+from launchlint.plural import listed
 from launchlint.rules.judging.joined import joined
 
 _COPIES = 3
 """Packages that lack the same of which nobody wants to read one by one."""
 _MANY = 3
 """Packages that two do not lack alike by chance."""
+_HABIT = 3
+"""Packages of one checkout that lack something: nobody forgot them one by one."""
+_MANIFEST = "package.xml"
+_MOST_NAMED = 6
 
 
 def told_of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for several packages that lack the same two or more packages: one was made after the other, or is the same, kept twice.
+    """One for all packages that lack something, where these are several; else one for those that lack the same two or more packages.
 
-    Two packages have to lack three. ``findings`` are about one ``package.xml`` each; :attr:`Finding.about` says how many packages it
+    Of the former nobody declares what launch files use; of the latter one was made after the other, or is the same, kept twice: two
+    packages have to lack three. ``findings`` are about one ``package.xml`` each; :attr:`Finding.about` says how many packages it
     lacks, which ones in words, then each of them, and nothing where it is one. Of one that is kept twice, what one copy lacks besides is
     told of that one, with the other.
     """
+    once = list(_of_one_name(findings))
+    habit = [each for each in once if each.severity is Severity.WARNING and posixpath.basename(each.location.path) == _MANIFEST]
+    if len(habit) >= _HABIT:
+        yield _habitual(habit)
+        once = [each for each in once if each not in habit]
     alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
-    for finding in _of_one_name(findings):
+    for finding in once:
         alike.setdefault((finding.severity, finding.about[:2] or (finding.message,)), []).append(finding)
     for (_, lack), several in alike.items():
         called = {_called(each) for each in several}
@@ -45,12 +56,25 @@ def _of_one_name(findings: Sequence[Finding]) -> Iterator[Finding]:
         yield from several
 
 
+def _habitual(findings: Sequence[Finding]) -> Finding:
+    """One for all of ``findings``: first where each ``package.xml`` is, with what it lacks, then where that is used."""
+    told = joined(findings)
+    places = {each.location: f"{_called(each)} lacks {listed(sorted(_lacking(each)), _MOST_NAMED)}" for each in findings}
+    others = tuple(Related(place, lacks) for place, lacks in places.items() if place != told.location)
+    return told._replace(
+        message=f"{len(findings)} packages do not declare all that their launch files use: {listed(sorted(map(_called, findings)), _MOST_NAMED)}",
+        label=places[told.location],
+        related=(*others, *(each for each in told.related if each.location not in places)),
+        notes=("their launch files work only where something else brings along what they use",),
+    )
+
+
 def _say(count: int, lack: Sequence[str]) -> str:
     return f"{count} packages do not declare {lack[0]} that their launch files use: {lack[1]}"
 
 
 def _called(finding: Finding) -> str:
-    return posixpath.basename(posixpath.dirname(finding.location.path))
+    return posixpath.basename(posixpath.dirname(finding.location.path)) or _MANIFEST
 
 
 def _lacking(finding: Finding) -> frozenset[str]:
