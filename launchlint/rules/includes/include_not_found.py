@@ -11,7 +11,8 @@ keeps out of the repository; for one in a git submodule that is not checked out;
 is for ROS 2 here; and in a launch file that is called a template. So
 it is where only a switch leads there that MoveIt's Setup Assistant writes into every package, and that nothing here gives. A
 directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie in
-another, and one that lacks several files which one launch file names. A name with a placeholder (`__robot__`, `@ROBOT@`) is left alone.
+another, and one that lacks several files which one launch file names. A name with a placeholder (`__robot__`, `@ROBOT@`) is left
+alone, and so is an arg with `false` or `none` for a name.
 
 ## Why it matters
 
@@ -62,7 +63,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.evaluate.problems import IncludeNotFound, IncludeNotLoadable
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import fix, set_value, spot
-from launchlint.rules.judging.default_to_correct import correction, has_arg, unchosen
+from launchlint.rules.judging.default_to_correct import SENTINELS, correction, has_arg, unchosen
 from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import joined, led_by
 from launchlint.rules.judging.left_over import left_over_in
@@ -112,6 +113,8 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
             notes=("roslaunch stops with: Invalid roslaunch XML syntax",), help="mend that file, or include another one",
             shared_cause="" if environment or not problem.malformed else malformed(file), about=(shown(file, root),),
         )  # fmt: skip
+        return
+    if file in SENTINELS and has_arg(problem.written):
         return
     reason = problem.reason
     relative = not posixpath.isabs(file)

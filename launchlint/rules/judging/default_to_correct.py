@@ -14,6 +14,8 @@ from launchlint.workspace.looking import exists, names
 
 NO_CHOICE = frozenset(("none", "null", "nil", "unset", "undefined", "unspecified"))
 """What people write as the default of an arg that has to be given, in small letters."""
+SENTINELS = frozenset(("true", "false", "none"))
+"""What people write as the default of an arg for a path to say that there is none; the condition in front of it hangs on another arg."""
 _MOST_NAMED = 5
 
 

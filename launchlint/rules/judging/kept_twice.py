@@ -60,9 +60,10 @@ def _habitual(findings: Sequence[Finding]) -> Finding:
     """One for all of ``findings``: first where each ``package.xml`` is, with what it lacks, then where that is used."""
     told = joined(findings)
     places = {each.location: f"{_called(each)} lacks {listed(sorted(_lacking(each)), _MOST_NAMED)}" for each in findings}
+    named = listed(sorted(map(_called, findings)), _MOST_NAMED)
     others = tuple(Related(place, lacks) for place, lacks in places.items() if place != told.location)
     return told._replace(
-        message=f"{len(findings)} packages do not declare all that their launch files use: {listed(sorted(map(_called, findings)), _MOST_NAMED)}",
+        message=f"{len(findings)} packages do not declare all that their launch files use: {named}",
         label=places[told.location],
         related=(*others, *(each for each in told.related if each.location not in places)),
         notes=("their launch files work only where something else brings along what they use",),

@@ -50,6 +50,7 @@ from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Element
 
 _SOURCES = (".py", ".cpp", ".cc", ".c", ".sh")
+_REQUIRED = "the arg {} has an empty default: whoever includes this file gives it"
 
 RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -82,9 +83,13 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
             help=f'write name="{base}"' if base else "write a name",
         )  # fmt: skip
     elif reason == "empty":
+        required = _left_empty(problem, view)
         yield RULE.at(
-            problem.origin, "the node has an empty name", severity=Severity.WARNING, label="empty",
-            notes=("roslaunch starts it under the name its program chooses: no parameter, remap or log can be told to be its own",),
+            problem.origin, "the node has an empty name", severity=Severity.INFO if required else Severity.WARNING, label="empty",
+            notes=(
+                "roslaunch starts it under the name its program chooses: no parameter, remap or log can be told to be its own",
+                *([_REQUIRED.format(required)] if required else []),
+            ),
             help="give it a name; where it does not matter which, write $(anon id)",
         )  # fmt: skip
     else:
@@ -102,7 +107,7 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
             label=_fault(name),
             notes=(
                 "a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",
-                *([f"the arg {required} has an empty default: whoever includes this file gives it"] if required else []),
+                *([_REQUIRED.format(required)] if required else []),
                 *([f"a condition around it tells {apart} apart, which stands for no name"] if apart else []),
             ),
             help=f"write {meant}, which is replaced by what it stands for"

@@ -51,7 +51,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
 from launchlint.model import ROS1, ROS2
-from launchlint.rules.judging.default_to_correct import has_arg, unchosen
+from launchlint.rules.judging.default_to_correct import SENTINELS, has_arg, unchosen
 from launchlint.rules.judging.elsewhere import elsewhere, in_another_package
 from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
@@ -70,8 +70,6 @@ from launchlint.workspace.looking import is_file
 
 RULE = Rule("LL502", "param-file-missing", Severity.ERROR, roslaunch="refuses")
 _DEEPEST = 12
-SENTINELS = ("true", "false", "none")
-"""What people write as the default of an arg for a path to say that there is none; the condition in front of it hangs on another arg."""
 
 
 def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:

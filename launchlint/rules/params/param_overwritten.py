@@ -7,8 +7,9 @@ the include whose value it replaces, a `~param` of a group that a node sets agai
 condition. It is an info where an arg chooses the file that is included afterwards: what stands in front of it is for all of these
 files, and the chosen one says what is special.
 
-Two included files that disagree about a parameter are told as an info. Three or more values of one parameter are one finding. The same
-two values of the same parameter in several files, which were copied with the mistake in them, are told as one.
+What two tests of one name set, LL313 tells. Two included files that disagree about a parameter are told as an info. Three or more values
+of one parameter are one finding. The same two values of the same parameter in several files, which were copied with the mistake in them,
+are told as one.
 
 ## Why it matters
 
@@ -38,13 +39,15 @@ The last setting wins silently, so that the value one reads is not the value the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.rules.edits import spot
+from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.param_values import is_same, shown
 from launchlint.rules.judging.set_again import SetAgain, set_again
+from launchlint.rules.nodes import test_shadows_node
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place
@@ -57,6 +60,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
     """Compare each setting with the one before it of the same name."""
     launch = view.launch
     values: dict[tuple[str, object], str] = {}
+    tests = {test.full_name for _, test in test_shadows_node.twins(launch)}
     launch_files = {id(launch.entry)} | {id(include.source) for include in launch.includes if include.source is not None}
     for again in set_again(launch):
         if is_same(again.old, again.new):
@@ -75,7 +79,13 @@ def check(view: LaunchView) -> Iterator[Finding]:
             earlier, later = again.settings
             if earlier.tag == "rosparam" and later.node is not None:
                 found = found._replace(notes=("in a node, <param> counts over <rosparam>, whichever comes first",))
-            yield _of_many(again, found, values)
+            twin = next((each for each in tests if again.name.startswith(f"{each}/")), None)
+            yield _of_many(again, found, values) if twin is None else found._replace(cause=test_shadows_node.named(twin))
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """Where two tests of one name set private parameters, that name is what is wrong."""
+    return led_by(findings, test_shadows_node.RULE.id)
 
 
 def _of_many(again: SetAgain, found: Finding, values: dict[tuple[str, object], str]) -> Finding:
