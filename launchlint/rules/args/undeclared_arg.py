@@ -5,7 +5,8 @@ can then give it), and where the configuration says how the file is started (`en
 information: roslaunch takes an arg from the command line whether it is declared or not, and some files are started just so.
 In an `$(eval …)` it is a warning: the name may be a text without its quotes.
 
-An arg that is declared, but only under conditions none of which holds, is information too, where other args would make one hold. What is
+An arg that is declared, but only under conditions none of which holds, is information too, where other args would make one hold, and at
+most a warning where environment variables would, which may be set on the robot. What is
 proposed then is a declaration for the case in which none holds: a plain one beside the others would make roslaunch stop in the other cases.
 
 In ROS 2 it is an error where a name that is set is one slip away, and where the file itself sets the name, but further down, or in a
@@ -59,10 +60,12 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Place
 from launchlint.spelling import closest, is_part, surely
+from launchlint.syntax.ros1.substitutions import parts_of
 
 RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 _OPPOSITE = {"if": "unless", "unless": "if"}
+_ASKED = ("env", "optenv")
 _MOST_ASKED = 3
 _MOST_NAMED = 6
 _PLAIN = late(r"[\w./+ -]*")
@@ -84,8 +87,9 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         yield _under_conditions(problem, switches, declare)
         return
     entered = _entered_without(problem, view)
+    variables = _variables(problem, view)
     if meant is not None or entered or view.declared_entry:
-        severity = Severity.ERROR if problem.refused else Severity.WARNING
+        severity = Severity.ERROR if problem.refused and not variables else Severity.WARNING
         message = f"the arg {name} is not declared" if not problem.skipped else _only_under_conditions(problem)
         note = f"roslaunch stops here, since {name} has no value"
         help_ = f"did you mean {near}?" if near is not None else declare
@@ -108,7 +112,7 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         message,
         severity=severity,
         related=_related(problem),
-        notes=(note,),
+        notes=(note, *([f"what declares it hangs on {' and '.join(variables)}, which the robot may set"] if variables else [])),
         help=help_,
         topic=name,
         shared_cause=never_declared(problem.place.source.path, "" if near is None and severity is Severity.ERROR else name),
@@ -146,6 +150,15 @@ def _switches(problem: UndeclaredArg, view: LaunchView) -> tuple[str, ...]:
         if any(path == at and span.start <= start < span.end for at, start in starts):
             names |= branch.steered_by
     return tuple(sorted(names))
+
+
+def _variables(problem: UndeclaredArg, view: LaunchView) -> list[str]:
+    """The environment variables that the conditions of the declarations of the arg ask for."""
+    spots = [at for place in problem.skipped if (at := spot(view, place)) is not None]
+    conditions = [parts_of(at.element.attributes[key]) for at in spots for key in _OPPOSITE if key in at.element.attributes]
+    return sorted(
+        {each.words[1].text for parts in conditions for each in parts.substitutions() if each.command in _ASKED and each.words[1:]}
+    )
 
 
 def _under_conditions(problem: UndeclaredArg, switches: tuple[str, ...], declare: str) -> Finding:

@@ -3,7 +3,7 @@
 What it does: it compares the param `/use_sim_time` with the publishers of `/clock`. It is a warning where `rosbag play --clock`
 publishes the clock for other nodes of the launch and the param is not true, since nobody then listens to it. It is an info where the
 param is true and nothing in the launch publishes the clock: people often start a bag or a simulator by hand. Simulators that set the
-param themselves (Gazebo, Stage) do not count.
+param themselves (Gazebo, Stage) do not count. All bags whose clock nobody uses are one finding.
 
 In ROS 2 each node has a param `use_sim_time` of its own, and a bag is played by a program that launch starts: `ros2 bag play --clock`. It
 is told where the params of all nodes are known; that some nodes have the param and others do not, LL943 tells.
@@ -121,12 +121,14 @@ def _unused_clock(setting: ParameterSetting | None, clocks: list[Endpoint], view
         instance = known[id(endpoint)]
         if not endpoint.certain:
             continue
+        state = "not set" if setting is None else "false"
         yield RULE.at(
             _args(instance),
-            f"{endpoint.node} publishes {CLOCK}, and {PARAM} is {'not set' if setting is None else 'false'}: no node uses it",
+            f"{endpoint.node} publishes {CLOCK}, and {PARAM} is {state}: no node uses it",
             label="nobody uses this clock",
             related=() if setting is None else ((setting.origin.place, "set here"),),
             help='put <param name="/use_sim_time" value="true"/> above the nodes',
+            cause=f"bags, {state}",
         )
 
 

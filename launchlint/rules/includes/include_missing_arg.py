@@ -3,7 +3,7 @@
 What it does: it looks for args that the included file declares without a default, reads in this configuration, and does
 not get. An arg with `default=""` counts as one without a default where roslaunch refuses the included file with the empty
 value: that is told once, at the include, and not at each place that breaks. With `pass_all_args` all the way it is an
-info: the arg may be given on the command line.
+info: the arg may be given on the command line. What several includes of one file leave out alike is told once.
 
 ## Why it matters
 
@@ -52,12 +52,13 @@ roslaunch refuses the whole launch.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import IncludeMissingArg
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, append_child, fix, spot
 from launchlint.rules.judging.broken_call import lacking_call
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Origin
@@ -123,6 +124,14 @@ def _several(names: list[str], problems: list[IncludeMissingArg], view: LaunchVi
         topic=listed,
         shared_cause=lacking_call(file),
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for the includes of one file that leave out the same: whoever wrote it did not know of the arg."""
+    alike: dict[tuple[Severity, str, str], list[Finding]] = {}
+    for finding in findings:
+        alike.setdefault((finding.severity, finding.location.path, finding.topic), []).append(finding)
+    yield from map(joined, alike.values())
 
 
 def _fix(problem: IncludeMissingArg, view: LaunchView, name: str) -> Fix | None:

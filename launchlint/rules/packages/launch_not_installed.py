@@ -7,8 +7,8 @@ where the package installs nothing but headers, and where all it has is `catkin_
 too, or it installs none of the programs that it builds (a rest of a template), or nothing but programs, libraries, headers and descriptions
 of plugins, which is what catkin's template offers, and was never released; unless a script, a workflow, an image or a README installs what
 is built. Where one of the files that it installs by name does not exist, installing fails, and it is an info, too. And it is one for a file
-beside `CMakeLists.txt` where another one of its name is installed. All files of one directory that are missing for one reason are told of
-at once, and so are those of several packages that each leave out their directory of one name.
+beside `CMakeLists.txt` where another one of its name is installed. All files of one package that are missing for one reason are told of
+at once, and so are those of several packages that each leave out directories of the same names.
 
 ## Why it matters
 
@@ -105,6 +105,7 @@ FAILS = "it installs {}, which does not exist, so that installing fails: nobody 
 OFFERED = "it installs only what catkin's template offers (programs, libraries, headers), and nothing here installs the package"
 LEFT = "it installs none of the programs that it builds, and nothing here installs the package"
 
+_SHARE = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
 _MOST_NAMED = 6
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
 
@@ -150,7 +151,6 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     name = shown(cmake, root_of(document.source))
     directory = inside.partition("/")[0] if "/" in inside else ""
-    share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
     headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
     unused = (
         LEFT
@@ -176,17 +176,32 @@ def check(view: FileView) -> Iterator[Finding]:
         severity=severity,
         label="missing from an installed package",
         notes=(reason or meant,),
-        help=f"add install(DIRECTORY {directory} {share})" if directory else f"add install(FILES {inside} {share})",
-        cause=f"{severity.word} {directory if directory and not reason else name}",
-        about=(package.name,),
+        help=f"add install(DIRECTORY {directory} {_SHARE})" if directory else f"add install(FILES {inside} {_SHARE})",
+        cause=f"{severity.word} {name}",
+        about=(package.name, *((directory,) if directory and not reason else ())),
     )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """One for all launch files in directories of one name; with the packages, where several forget it in the same way."""
+    """One for all launch files of one package that are not installed, with all directories they lie in."""
     told = joined(findings)
-    packages = list(dict.fromkeys(each.about[0] for each in findings if each.about))
-    if len(packages) < 2:
+    directories = sorted({each for finding in findings for each in finding.about[1:]})
+    if told.severity is Severity.INFO or len(directories) < 2 or any(not each.about[1:] for each in findings):
         return told
-    files = len({each.location.path for each in findings})
-    return told._replace(message=f"{len(packages)} packages do not install {files} of their launch files: {listed(packages, _MOST_NAMED)}")
+    help_ = f"add install(DIRECTORY {' '.join(directories)} {_SHARE})"
+    return told._replace(help=help_, about=(*told.about[:1], *directories))
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for packages that leave out directories of the same names: several forget it in the same way."""
+    alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
+    for finding in findings:
+        alike.setdefault((finding.severity, finding.about[1:] or (finding.location.path,)), []).append(finding)
+    for several in alike.values():
+        told = joined(several)
+        packages = list(dict.fromkeys(each.about[0] for each in several))
+        if len(packages) > 1:
+            files = len({told.location.path, *(each.location.path for each in told.related)})
+            names = listed(packages, _MOST_NAMED)
+            told = told._replace(message=f"{len(packages)} packages do not install {files} of their launch files: {names}")
+        yield told
