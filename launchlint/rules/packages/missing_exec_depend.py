@@ -6,9 +6,8 @@ dependencies count for tests. What a declared package or metapackage itself decl
 what roslaunch itself needs. Names that nobody knows are LL210 and LL303, and a file with placeholders such as `$(find [PACKAGE])` is a
 template that is never launched. A dependency that stands in a comment of the `package.xml` was left out on purpose. Where only files are
 asked of another package of the same kind (`arm_moveit_config`), and the own package has all of them at the same paths, its own name was
-meant. Everything that one `package.xml` lacks is told at once, with the first use of each package;
-where two lack the same three, as those that were made one after the other do, what both lack. Where three packages or more of what is
-checked lack something, nobody forgot it there one by one: all of that is one finding, with each `package.xml` and what it lacks.
+meant. Everything that one `package.xml` lacks is told at once, with the first use of each package; where two lack the same three, as
+those do that were made one after the other, what both lack; where three packages or more lack something, all that they lack.
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
 other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
