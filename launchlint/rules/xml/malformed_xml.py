@@ -4,10 +4,10 @@ It names the slip behind the parser's complaint: the element that was never clos
 character that must be escaped. The caret stands where the mistake is, not where the parser noticed it. The includes
 that lead to the file are shown with it.
 
-It is a warning where the file is empty (all empty files are told at once), and an info where it holds nothing but comments, or is a
-script (`#!/bin/bash`) by another name: nobody starts these with roslaunch. A file that another one includes is an error all the same. It
-is an info where the line holds the placeholder of a template (`<your-package>`, `__robot__`, `@ROBOT@`), or a file that nobody includes
-is called one.
+It is a warning where the file is empty (all empty files are told at once, and so are all with comments behind a `#`), and an info where
+it holds nothing but comments, or is a script (`#!/bin/bash`) by another name: nobody starts these with roslaunch. A file that another one
+includes is an error all the same. It is an info where the line holds the placeholder of a template (`<your-package>`, `__robot__`,
+`@ROBOT@`), or a file that nobody includes is called one.
 
 In ROS 2 the same is told of launch files in YAML: tabs, lines that do not line up, brackets that are never closed, tags such as
 `!!python/…`.
@@ -42,9 +42,11 @@ roslaunch stops before it looks at a single tag, with a line number that is ofte
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import malformed
 from launchlint.rules.judging.template import has_placeholder, is_called_template
 from launchlint.rules.rule import Rule
@@ -53,6 +55,9 @@ from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, TooDee
 
 RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")
 TEMPLATE = "template"
+HASH = "comments"
+_HASH = late(r"\s*#(?!\s*(?:include|define|if|ifdef|ifndef|pragma)\b)")
+"""How people begin a comment where they think of another language; not what a source file of C++ begins with."""
 _CANNOT = "ros2 launch cannot read the file: it refuses all of it"
 _YAML_ADVICE = {
     "tag": "a launch file needs no tags: write plain values",
@@ -79,11 +84,11 @@ def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: 
     message, advice = f"not well-formed XML: {problem.message}", problem.hint
     severity: Severity | None = None
     notes = [_CANNOT if isinstance(problem, MalformedXml2) else "roslaunch stops with: Invalid roslaunch XML syntax"]
-    cause = ""
+    cause = topic = ""
     alone = problem.origin.step is None
     template = has_placeholder(source.line(source.position(span.start).line)) or (alone and is_called_template(source.path))
     if template:
-        severity = Severity.INFO
+        severity, topic = Severity.INFO, TEMPLATE
         notes.append("it looks like a template that is filled in before anybody launches it")
     elif source.text.startswith("#!"):
         severity, cause = Severity.INFO, "a script"
@@ -91,6 +96,8 @@ def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: 
             f"this is a script and no XML: {_first_line(source.text)}",
             "give it a name that does not end like that of a launch file",
         )
+    elif _HASH.match(source.text, span.start) is not None:
+        topic, advice = HASH, "write comments as <!-- … -->: a # begins none in XML"
     elif problem.code == "XML_ERROR_NO_ELEMENTS" and not problem.opened:
         severity = Severity.INFO if source.text.strip() else Severity.WARNING
     yield RULE.at(
@@ -100,10 +107,18 @@ def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: 
         related=problem.related,
         notes=tuple(notes),
         help=advice,
-        topic=TEMPLATE if template else "",
+        topic=topic,
         cause=cause,
         shared_cause="" if cause else malformed(source.file),
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for all files whose comments begin with a ``#``: a belief about XML, not a slip in each of them."""
+    commented = [each for each in findings if each.topic == HASH]
+    yield from (each for each in findings if each.topic != HASH)
+    for severity in sorted({each.severity for each in commented}):
+        yield joined([each for each in commented if each.severity is severity])
 
 
 def _first_line(text: str) -> str:

@@ -3,7 +3,8 @@
 A `<node>` needs `name`, `pkg` and `type`; `<include>` needs `file`; `<remap>` needs `from` and `to`; `<env>` needs
 `name` and `value`; `<machine>` needs `name` and `address`; `<arg>` and `<param>` need `name`. An `<arg>` in an
 `<include>` needs a `value` as well. (What a `<test>` needs is told by LL310.) Where the name of an arg or a param is the attribute itself
-(`<arg speed="2"/>`) the help says so, and LL104 says nothing of it.
+(`<arg speed="2"/>`) the help says so, and LL104 says nothing of it; nor where the only strange attribute stands for the only one that is
+missing (`package` for `pkg`).
 
 In ROS 2, a `<node>` needs only `exec`; a `<node_container>` needs `name` and `namespace` as well, a `<composable_node>` `pkg`, `plugin` and
 `name`. Where the attribute stands under its name in ROS 1 (`type` for `exec`), LL112 tells of it alone, and LL104 where
@@ -76,6 +77,7 @@ def tell(problem: MissingAttribute | LacksAttribute, view: object) -> Iterator[F
         return
     at = spot(view, problem.place)
     meant = None if at is None or name != "name" else name_instead(at.element)
+    strange = None if at is None else instead_of_required(at.element)
     notes: tuple[str, ...]
     if tag == "rosparam":
         notes = ("roslaunch loads the file and fails when it runs the rosparam step",)
@@ -91,7 +93,11 @@ def tell(problem: MissingAttribute | LacksAttribute, view: object) -> Iterator[F
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         label=f"{name} is missing",
         notes=notes,
-        help=_advice(tag, name) if at is None or meant is None else f'write name="{meant}" {_value(at.element, meant)}',
+        help=f'write name="{meant}" {_value(at.element, meant)}'
+        if at is not None and meant is not None
+        else f"is {strange}, which roslaunch drops, meant to be {name}?"
+        if strange is not None
+        else _advice(tag, name),
         topic=name,
     )
 
@@ -113,6 +119,19 @@ def name_instead(element: Element) -> str | None:
     if len(strange) != 1 or strange[0] in OWNERS or closest(strange[0], (*known, *OWNERS)) is not None:
         return None
     return strange[0]
+
+
+def instead_of_required(element: Element) -> str | None:
+    """The attribute that stands for the only one which ``element`` lacks and has to have, as in ``<node package="amcl" …/>``.
+
+    ``None`` where there is no such one, or more than one.
+    """
+    rule = TAGS.get(element.tag)
+    if rule is None or element.tag in ("arg", "param") or len(element.attributes) > MOST_ATTRIBUTES:
+        return None
+    lacking = [each for each in rule.required if each not in element.attributes]
+    strange = [each for each in element.attributes if each not in rule.known]
+    return strange[0] if len(lacking) == 1 and len(strange) == 1 and closest(strange[0], rule.known) is None else None
 
 
 def _value(element: Element, meant: str) -> str:

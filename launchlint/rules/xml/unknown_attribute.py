@@ -56,7 +56,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS2, Spot, fix, rename_attribute, spot, write_over
 from launchlint.rules.rule import Rule
 from launchlint.rules.xml.conflicting_attributes import instead_of_value
-from launchlint.rules.xml.missing_attribute import name_instead
+from launchlint.rules.xml.missing_attribute import instead_of_required, name_instead
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownAttribute
 from launchlint.syntax.ros1.dialect import TAGS
@@ -87,7 +87,7 @@ def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[
         )
         return
     at = spot(view, problem.place)
-    if at is not None and name_instead(at.element) == name:
+    if at is not None and name in (name_instead(at.element), instead_of_required(at.element)):
         return  # LL105 tells what is meant
     if at is not None and instead_of_value(at.element) == name:
         return  # LL110 does
