@@ -19,11 +19,11 @@ from launchlint.workspace.packages import Packages
 PREFIX = "project "
 NOTE = "{} is a copy of a public package, and that is where to mend it"
 NAMED = "{} is called as a public package, and says that it is from elsewhere: that is where to mend it"
-SIGNED = "{} has a README, and a licence of people who made none of the packages here that have none: that is where to mend it"
+SIGNED = "{} has a licence, of people who made none of the packages here that have none: that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 _ENDS = (".launch", ".xml", ".test", ".py", ".yaml", ".yml")
 """Of launch files, and of what they load."""
-_UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL508", "LL601", "LL623", "LL702"))
+_UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL507", "LL508", "LL601", "LL623", "LL702"))
 """By their IDs: in most runs none of these modules has to be loaded for this. LL701 says it itself, since it proposes a line."""
 
 

@@ -45,7 +45,7 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
         whole = posixpath.basename(project)
         return f"{home.name} is part of another project, {whole}, which is kept here as a whole: that is where to declare {name}"
     if is_signed(home, packages):
-        return f"{home.name} has a README, and a licence of people who made none of the packages here that have none: it seems to be a copy"
+        return f"{home.name} has a licence, of people who made none of the packages here that have none: it seems to be a copy"
     return ""
 
 

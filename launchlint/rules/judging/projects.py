@@ -85,9 +85,10 @@ def is_from_elsewhere(home: Package, packages: Packages) -> bool:
 
 
 def is_signed(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` has a README, a licence and people who have nothing to do with the several packages here that have no licence.
+    """Whether ``home`` has a licence and people who have nothing to do with the several packages here that have no licence.
 
-    Whoever leaves ``TODO`` for the licence of each package that they make here has got this one from somebody who did not.
+    Whoever leaves ``TODO`` for the licence of each package that they make here has got this one from somebody who did not. Where those
+    without are of different people, one of these may have filled it in: then it has to have a README as well.
     """
     return packages.once(_Signed).from_elsewhere(home)
 
@@ -115,17 +116,19 @@ class _Signed:
         if manifest is None or not _is_licensed(manifest) or not manifest.people or _of_template(manifest.people):
             return False
         listed = names(home.directory)
-        if not _has_readme(listed) or _ASSISTED in listed:
+        if _ASSISTED in listed:
             return False
-        return any(licences.has_others(manifest) for root, licences in self._workspaces if _is_in(home.directory, root))
+        around = [licences for root, licences in self._workspaces if _is_in(home.directory, root)]
+        return any((licences.of_one or _has_readme(listed)) and licences.has_others(manifest) for licences in around)
 
 
 class _Licences:
-    """Which packages of one workspace have no licence, and whose they are."""
+    """Which packages of one workspace have no licence, and whose they are; ``of_one``: all are the same people's."""
 
     def __init__(self, manifests: Mapping[str, Manifest]) -> None:
         bare = {each: manifest for each, manifest in manifests.items() if not _is_licensed(manifest)}
         self._bare = len(bare)
+        self.of_one = len({manifest.people for manifest in bare.values()}) == 1
         self._words = frozenset[str]().union(*map(_words, bare.values()))
         self._people = Counter(person for manifest in manifests.values() for person in manifest.people)
         self._bare_people = _people(bare.values())
