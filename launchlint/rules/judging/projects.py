@@ -46,6 +46,8 @@ _OF_ROOTS = frozenset(
 """What git, or who builds and tests, reads at the root of a repository only."""
 _TEMPLATE = "@todo.todo"
 """The end of the address that ``catkin_create_pkg`` writes for who called it."""
+_EXPORTED = "todo@"
+"""The beginning of the address that the exporter of SolidWorks writes, with a licence."""
 _REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
 _NO_LICENCE = "TODO"
@@ -114,6 +116,8 @@ class _Signed:
     def _is_from_elsewhere(self, home: Package) -> bool:
         manifest = home.manifest
         if manifest is None or not _is_licensed(manifest) or not manifest.people or _of_template(manifest.people):
+            return False
+        if any(each.startswith(_EXPORTED) for each in manifest.people):
             return False
         listed = names(home.directory)
         if _ASSISTED in listed:
