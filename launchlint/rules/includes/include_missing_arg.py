@@ -131,7 +131,7 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     alike: dict[tuple[Severity, str, str], list[Finding]] = {}
     for finding in findings:
         alike.setdefault((finding.severity, finding.location.path, finding.topic), []).append(finding)
-    yield from map(joined, alike.values())
+    yield from (joined(several) if len(several) > 1 else several[0] for several in alike.values())
 
 
 def _fix(problem: IncludeMissingArg, view: LaunchView, name: str) -> Fix | None:

@@ -198,7 +198,7 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     for finding in findings:
         alike.setdefault((finding.severity, finding.about[1:] or (finding.location.path,)), []).append(finding)
     for several in alike.values():
-        told = joined(several)
+        told = joined(several) if len(several) > 1 else several[0]
         packages = list(dict.fromkeys(each.about[0] for each in several))
         if len(packages) > 1:
             files = len({told.location.path, *(each.location.path for each in told.related)})

@@ -118,7 +118,8 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     commented = [each for each in findings if each.topic == HASH]
     yield from (each for each in findings if each.topic != HASH)
     for severity in sorted({each.severity for each in commented}):
-        yield joined([each for each in commented if each.severity is severity])
+        several = [each for each in commented if each.severity is severity]
+        yield joined(several) if len(several) > 1 else several[0]
 
 
 def _first_line(text: str) -> str:
