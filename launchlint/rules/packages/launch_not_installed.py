@@ -199,7 +199,7 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
         alike.setdefault((finding.severity, finding.about[1:] or (finding.location.path,)), []).append(finding)
     for several in alike.values():
         told = joined(several) if len(several) > 1 else several[0]
-        packages = list(dict.fromkeys(each.about[0] for each in several))
+        packages = list(dict.fromkeys(each.about[0] for each in several if each.about))
         if len(packages) > 1:
             files = len({told.location.path, *(each.location.path for each in told.related)})
             names = listed(packages, _MOST_NAMED)
