@@ -194,9 +194,9 @@ def together(findings: Sequence[Finding]) -> Finding:
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for packages that leave out directories of the same names: several forget it in the same way."""
-    alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
+    alike: dict[tuple[Severity, object], list[Finding]] = {}
     for finding in findings:
-        alike.setdefault((finding.severity, finding.about[1:] or (finding.location.path,)), []).append(finding)
+        alike.setdefault((finding.severity, finding.about[1:] or finding.key), []).append(finding)
     for several in alike.values():
         told = joined(several) if len(several) > 1 else several[0]
         packages = list(dict.fromkeys(each.about[0] for each in several if each.about))
