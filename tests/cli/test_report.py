@@ -208,7 +208,9 @@ def test_one_place_of_several_that_is_mended_or_made_is_what_is_told(tracked: Pa
 
     def compared() -> tuple[list[tuple[object, ...]], list[object], dict[str, int]]:
         data = data_of(run(tracked, "report", "-o", "-", "--base", "HEAD", "--select", "LL612", "demo/launch").output)
-        findings = [(data["files"][each["place"][0]], each["message"].partition("(")[2], each.get("since", "")) for each in data["findings"]]
+        findings = [
+            (data["files"][each["place"][0]], each["message"].partition("(")[2], each.get("since", "")) for each in data["findings"]
+        ]
         entries = {data["files"][each["file"]]: len(each["findings"]) for each in data["entries"]}
         return findings, [data["files"][each["place"][0]] for each in data["fixed"]], entries
 

@@ -171,6 +171,9 @@ class LooseEnds:
             level = Severity.INFO
         if shown is None and (self._signs.is_led_in_vain(other, end) or self._signs.is_led_in_vain(end, other)):
             level = level and Severity.INFO
+        wanted = channel if offers else self.graph.channels[end.kind, end.name]
+        if shown is None and any(each.node == (end if offers else other).node for each in wanted.uses):
+            level = level and Severity.INFO  # the giver waits for that name, too, and makes something else of it
         if level is Severity.WARNING and end.applied and not offers and self._is_of_own_program(end.name, other.name):
             level = Severity.INFO
         if level is Severity.WARNING and shown is None and how in ("", WORDS):  # a program that is not started here may be at the other end
