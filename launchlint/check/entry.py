@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from copy import copy
 from functools import cached_property, partial
 from itertools import islice
 
@@ -130,8 +131,6 @@ class EntryChecker:
 
         Packages, and what was read of other files, are shared with this one. Unlike this one it does not remember.
         """
-        from copy import copy
-
         other = copy(self)
         other.session = self.session.with_texts(texts)
         changed = {self.session.shown(file) for file in texts}

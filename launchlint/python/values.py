@@ -23,8 +23,10 @@ SIGNS = ("\ue000", "\ue001")
 """In a :class:`Text`: parts that stand for something absolute (they begin with a slash); what they are, only the recogniser knows."""
 
 ITEMS, ENTRIES, COMPLETE, KIND = "\0items", "\0entries", "\0complete", "\0kind"
-ALIKE = "alike"
 """Keys of the content of lists and dicts; no attribute can be called so."""
+
+ALIKE = "alike"
+"""What stands under ``COMPLETE``, beside True and False, for a list or dict that :func:`alike` has made."""
 
 UNORDERED = ("set", "frozenset", "listing")
 """Kinds of :class:`Seq` whose order is nobody's; a ``listing`` is a list otherwise, as of the names in a directory."""

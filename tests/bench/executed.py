@@ -8,10 +8,7 @@ an entry (the mean, and the median) stands what they are for each launch file th
 from __future__ import annotations
 
 import argparse
-import contextlib
-import io
 import multiprocessing
-import os
 import sys
 import time
 from collections.abc import Iterator
@@ -20,9 +17,8 @@ from statistics import mean, median
 from typing import Any, NamedTuple
 
 from launchlint.check.entry import EntryChecker
-from launchlint.cli import main as launchlint_main
 from launchlint.evaluate import configurations as evaluating
-from tests.bench.timing import table
+from tests.bench.timing import checked_here, table
 
 
 class Cost(NamedTuple):
@@ -54,10 +50,7 @@ def costs(directory: str) -> list[Cost]:
 
     evaluating.configurations = counted  # type: ignore[assignment]
     EntryChecker.check = timed  # type: ignore[method-assign]
-    os.chdir(directory)
-    sys.argv = ["launchlint", "check", "--no-cache", "--jobs", "1", "--exit-zero", "."]
-    with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
-        launchlint_main()
+    checked_here(directory)
     return found
 
 

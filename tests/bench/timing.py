@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 import shutil
 import subprocess
@@ -76,6 +78,18 @@ def timed(command: Sequence[str], environment: Mapping[str, str] | None = None, 
     start = time.perf_counter()
     run = subprocess.run(command, env=variables, input=stdin, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
     return Timed(time.perf_counter() - start, run.returncode, run.stdout)
+
+
+def checked_here(directory: str, *options: str) -> str:
+    """What ``launchlint check .`` writes of a directory, which becomes that of this process: for those that watch how it is worked out."""
+    from launchlint.cli import main
+
+    os.chdir(directory)
+    sys.argv = ["launchlint", "check", "--no-cache", "--jobs", "1", "--exit-zero", *options, "."]
+    written = io.StringIO()
+    with contextlib.redirect_stdout(written), contextlib.suppress(SystemExit):
+        main()
+    return written.getvalue()
 
 
 def require_output(run: Timed) -> None:

@@ -8,8 +8,6 @@ of the processor's time, without the start of Python (which ``tests.bench.config
 from __future__ import annotations
 
 import argparse
-import contextlib
-import io
 import json
 import multiprocessing
 import os
@@ -21,11 +19,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from launchlint.check.causes import told_once
-from launchlint.cli import main as launchlint_main
 from launchlint.cli import output
 from launchlint.finding import Finding, Severity
 from tests.bench.corpus import LAUNCH_FILES
-from tests.bench.timing import table
+from tests.bench.timing import checked_here, table
 
 Row = tuple[str, str]
 """A rule and a level."""
@@ -50,14 +47,10 @@ def check(repository: str) -> Told:
         return told_once(findings)
 
     output.told_once = watched  # type: ignore[attr-defined]
-    os.chdir(repository)
-    sys.argv = ["launchlint", "check", "--no-cache", "--jobs", "1", "--exit-zero", "--format", "json", "."]
-    written = io.StringIO()
     start = time.process_time()
-    with contextlib.redirect_stdout(written), contextlib.suppress(SystemExit):
-        launchlint_main()
+    written = checked_here(repository, "--format", "json")
     seconds = time.process_time() - start
-    told = Counter((finding["rule"], finding["severity"]) for finding in json.loads(written.getvalue())["findings"])
+    told = Counter((finding["rule"], finding["severity"]) for finding in json.loads(written)["findings"])
     findings = Counter((finding.rule, finding.severity.word) for each in seen for finding in each)
     files = sum(name.endswith(LAUNCH_FILES) for _, _, names in os.walk(repository) for name in names)
     return Told(os.path.basename(repository), dict(findings), dict(told), files, seconds)

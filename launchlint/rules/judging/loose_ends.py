@@ -160,26 +160,25 @@ class LooseEnds:
         other = min(ends, key=lambda each: self._apart(instance, self.owners[id(each)]))
         if loose and offers:  # what matters is who else could give what the other end waits for, not who else could take it
             doubts = self._beside(channel, offers=False) or ()
-        taker = other if offers else end
+        giver, taker = (end, other) if offers else (other, end)
         doubts = tuple(each for each in doubts if each.node != taker.node)  # what it waits for comes from somebody else
         level = self._level(end, other, how, loose=bool(loose)) if shown is None else Severity.WARNING
         if doubts and shown is None:
             chosen = how == NAMESPACE and not offers and end.applied
             level = self._in_doubt(end, other, how, doubts, level) if loose or how == SLIP or chosen else None
             level = level if loose or level is not Severity.INFO else None
-        if level is Severity.WARNING and how != SLIP and comes_from_around(self._view, taker, end if offers else other):
+        if level is Severity.WARNING and how != SLIP and comes_from_around(self._view, taker, giver):
             level = Severity.INFO
         if shown is None and (self._signs.is_led_in_vain(other, end) or self._signs.is_led_in_vain(end, other)):
             level = level and Severity.INFO
-        wanted = channel if offers else self.graph.channels[end.kind, end.name]
-        if shown is None and any(each.node == (end if offers else other).node for each in wanted.uses):
+        wanted = self.graph.channels[taker.kind, taker.name]
+        if shown is None and any(each.node == giver.node for each in wanted.uses):
             level = level and Severity.INFO  # the giver waits for that name, too, and makes something else of it
         if level is Severity.WARNING and end.applied and not offers and self._is_of_own_program(end.name, other.name):
             level = Severity.INFO
         if level is Severity.WARNING and shown is None and how in ("", WORDS):  # a program that is not started here may be at the other end
             elsewhere = says(last_part(end), self._view.packages, offers=not offers, besides=_sources(other)) or self._is_of_others(end)
             level = Severity.INFO if elsewhere else level
-        giver = end if offers else other
         if level is Severity.WARNING and how != SLIP and giver.applied and not self.graph.launch.complete:
             # It was led below the name of a node that is not started here: by an include that is not here, maybe.
             level = Severity.INFO if self._namespaces_of_absent(giver.name, taker.name) else level
