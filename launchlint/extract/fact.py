@@ -6,6 +6,7 @@ from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Hashable
     from typing import Any
 
 
@@ -89,6 +90,12 @@ class Fact(NamedTuple):
     exists: str = ""
     declared: bool | None = None
     descriptor: Descriptor | None = None
+
+
+def key_of(fact: Fact) -> Hashable:
+    """What is the same for facts that say the same. A truth value is not the number that Python takes for equal to it."""
+    default = fact.default
+    return fact[:9], fact[10:14], fact[15], default.__class__, repr(default), repr(fact.qos), repr(fact[16:])
 
 
 class Made(NamedTuple):

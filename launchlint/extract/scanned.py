@@ -103,9 +103,9 @@ def found_header(name: str, quoted: bool, includer: str, directories: Sequence[s
     near = (os.path.join(beside, "include"), os.path.join(os.path.dirname(beside), "include"))
     # Where a header is not found, a directory called include beside the file is looked into, too.
     for directory in (beside, *directories, *near) if quoted else directories:
-        path = os.path.normpath(os.path.join(directory, name))
+        path = f"{directory}/{name}" if directory else name
         if os.path.isfile(path):
-            return path
+            return os.path.normpath(path)
     return None
 
 

@@ -92,7 +92,7 @@ def functions(machine: Machine, name: str, frame: Frame) -> list[Function]:
 
 def call(machine: Machine, node: Node, frame: Frame) -> Value:
     """The value of a call; what it does is followed."""
-    function = node.field("function")
+    function = node.fields.get("function")
     if function is None:
         return UNKNOWN
     if function.kind == "field_expression":
@@ -100,19 +100,19 @@ def call(machine: Machine, node: Node, frame: Frame) -> Value:
     types: tuple[Type, ...] = ()
     named = function
     if function.kind == "template_function":
-        types, named = template_arguments(function), function.field("name") or function
+        types, named = template_arguments(function), function.fields.get("name") or function
     elif function.kind == "qualified_identifier":
         last = _last(function)
         if last.kind == "template_function":
             types = template_arguments(last)
     if named.kind not in ("identifier", "qualified_identifier"):
         if function.kind == "primitive_type":
-            given = classes.arguments(machine, node.field("arguments"), frame)
+            given = classes.arguments(machine, node.fields.get("arguments"), frame)
             return given[0].value if given else UNKNOWN
-        return machine.invoke(machine.evaluate(function, frame), classes.arguments(machine, node.field("arguments"), frame))
-    name = re.sub(r"\s+", "", named.text).removeprefix("::")
+        return machine.invoke(machine.evaluate(function, frame), classes.arguments(machine, node.fields.get("arguments"), frame))
+    name = "".join(named.text.split()).removeprefix("::")
     if types and named.kind == "qualified_identifier":
-        inner = _last(function).field("name")
+        inner = _last(function).fields.get("name")
         prefix = name[: name.rfind("::", 0, name.find("<") if "<" in name else len(name)) + 2]
         name = prefix + (inner.text if inner else "")
     elif function.kind == "qualified_identifier" and "<" in name and not types:
@@ -122,7 +122,7 @@ def call(machine: Machine, node: Node, frame: Frame) -> Value:
 
 def _last(node: Node) -> Node:
     while node.kind == "qualified_identifier":
-        inner = node.field("name")
+        inner = node.fields.get("name")
         if inner is None:
             break
         node = inner
@@ -131,13 +131,13 @@ def _last(node: Node) -> Node:
 
 def template_arguments(node: Node) -> tuple[Type, ...]:
     """The arguments between angle brackets."""
-    listed = node.field("arguments")
+    listed = node.fields.get("arguments")
     return tuple(parse_type(each.text) for each in listed.children) if listed else ()
 
 
 def _of_template(machine: Machine, node: Node, function: Node, name: str, frame: Frame) -> Value:
     """``Base<T>::member(…)`` or ``Type<T>(…)``."""
-    given = classes.arguments(machine, node.field("arguments"), frame)
+    given = classes.arguments(machine, node.fields.get("arguments"), frame)
     owner = parse_type(function.text)
     if frame.this is not None and owner.member:
         found = [
@@ -179,7 +179,7 @@ def _from_elsewhere(machine: Machine, name: str, given: Sequence[Argument], node
 
 def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], frame: Frame) -> Value:
     variable = frame.variable(name)
-    given = classes.arguments(machine, node.field("arguments"), frame)
+    given = classes.arguments(machine, node.fields.get("arguments"), frame)
     if variable is not None:
         return machine.invoke(variable.value, given)
     asked = Call(machine, name, types, given, node, frame)
@@ -330,7 +330,7 @@ def _overridden(
 
 
 def _method(machine: Machine, node: Node, function: Node, frame: Frame) -> Value:
-    argument, named, operator = function.field("argument"), function.field("field"), function.field("operator")
+    argument, named, operator = function.fields.get("argument"), function.fields.get("field"), function.fields.get("operator")
     if argument is None or named is None:
         return UNKNOWN
     types: tuple[Type, ...] = ()
@@ -338,11 +338,11 @@ def _method(machine: Machine, node: Node, function: Node, frame: Frame) -> Value
     if named.kind in ("template_method", "template_function", "dependent_name"):
         inner = named.children[0] if named.kind == "dependent_name" and named.children else named
         types = template_arguments(inner)
-        name = (inner.field("name") or inner).text
+        name = (inner.fields.get("name") or inner).text
     from launchlint.extract.cpp.places import made_up, read
 
     value, cell = read(machine, argument, frame)
-    given = classes.arguments(machine, node.field("arguments"), frame)
+    given = classes.arguments(machine, node.fields.get("arguments"), frame)
     asked = Call(machine, name, types, given, node, frame)
     dot = operator is not None and operator.text == "."
     if (
@@ -458,7 +458,7 @@ def unanswered(machine: Machine, name: str, given: Sequence[Argument], node: Nod
 def _macro(machine: Machine, name: str, node: Node, frame: Frame) -> Value:
     """A macro with arguments: its text with the arguments put in."""
     parameters, text = machine.declarations.calls[name]
-    listed = node.field("arguments")
+    listed = node.fields.get("arguments")
     given = [each.text for each in listed.children] if listed else []
     if len(given) != len(parameters) or len(text) > _LONGEST_MACRO or machine.depth > 60:
         return UNKNOWN

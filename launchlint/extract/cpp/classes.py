@@ -61,10 +61,10 @@ def arguments(machine: Machine, node: Node | None, frame: Frame) -> list[Argumen
 
     found: list[Argument] = []
     for each in node.children if node else ():
-        if each.kind.startswith("preproc"):
-            continue
         if each.kind in _PLACES:
             found.append(machine.argument(each, frame))
+            continue
+        if each.kind.startswith("preproc"):
             continue
         cell = cell_of(machine, each, frame) if each.kind == "pointer_expression" else None
         found.append(Argument(machine.evaluate(each, frame), cell, each))
@@ -373,9 +373,7 @@ def converted(machine: Machine, value: Value, type_: Type, frame: Frame, node: N
 
 def chain(machine: Machine, this: Thing) -> list[Class]:
     """The class of an object and its bases."""
-    if this.declared is None:
-        return []
-    return [this.declared, *machine.names.bases(this.declared.name)]
+    return [] if this.declared is None else machine.names.chain(this.declared)
 
 
 def is_a(machine: Machine, this: Thing, name: str) -> bool:

@@ -50,13 +50,13 @@ class Parameter(NamedTuple):
 class Function:
     """A function with its body, or without one where only its prototype is known.
 
-    ``name`` is qualified; ``scope`` is the namespace or class that names in it are looked up from. ``absent`` is a prototype whose body
-    stands elsewhere, other than of a pure virtual function or one that the compiler makes. ``overrides``: it is virtual, or overrides one.
-    ``of_constant``: it is a member function of a constant object.
+    ``name`` is qualified, ``last`` is what it is called without the scope; ``scope`` is the namespace or class that names in it are looked
+    up from. ``absent`` is a prototype whose body stands elsewhere, other than of a pure virtual function or one that the compiler makes.
+    ``overrides``: it is virtual, or overrides one. ``of_constant``: it is a member function of a constant object.
     """
 
     __slots__ = (
-        "absent", "body", "initialisers", "line", "name", "of_constant", "overrides", "owner", "parameters", "path", "relevant",
+        "absent", "body", "initialisers", "last", "line", "name", "of_constant", "overrides", "owner", "parameters", "path", "relevant",
         "returns", "scope", "template",
     )  # fmt: skip
 
@@ -64,10 +64,11 @@ class Function:
         self, name: str, scope: str, parameters: tuple[Parameter, ...], returns: Type, node: Node, path: str, template: tuple[str, ...]
     ) -> None:
         self.name = name
+        self.last = name.rpartition("::")[2]
         self.scope = scope
         self.parameters = parameters
         self.returns = returns
-        self.body = node.field("body")
+        self.body = node.fields.get("body")
         self.absent = self.body is None and _MADE.search(node.text) is None
         head = node.until(self.body)
         self.overrides = _VIRTUAL.search(head) is not None
@@ -80,14 +81,10 @@ class Function:
         self.relevant: bool | None = None
 
     @property
-    def last(self) -> str:
-        """Its name without the scope."""
-        return self.name.rpartition("::")[2]
-
-    @property
     def text(self) -> str:
         """The source of its body, and of its list of initialisers."""
-        return (self.body.text if self.body else "") + (self.initialisers.text if self.initialisers else "")
+        own = self.body.text if self.body is not None else ""
+        return own if self.initialisers is None else own + self.initialisers.text
 
     def __repr__(self) -> str:
         return f"Function({self.name}, {self.path}:{self.line})"
@@ -164,15 +161,15 @@ class Declarations:
         kind = node.kind
         if kind == "function_definition" or kind == "inline_method_definition":
             self._types_in(node, scope, path, depth)
-            self._function(node, node.field("declarator"), scope, path, template)
+            self._function(node, node.fields.get("declarator"), scope, path, template)
         elif kind in ("declaration", "field_declaration"):
             self._types_in(node, scope, path, depth, template)
             self._variables(node, scope, path, template)
         elif kind in ("class_specifier", "struct_specifier", "union_specifier"):
             self._class(node, scope, path, template, depth)
         elif kind == "namespace_definition":
-            name = node.field("name")
-            body = node.field("body")
+            name = node.fields.get("name")
+            body = node.fields.get("body")
             inner = joined(scope, _spelled(name).replace(" ", "")) if name else scope
             if body:
                 self.opened.setdefault(inner, [])
@@ -180,19 +177,19 @@ class Declarations:
                 self._scope(body.children, inner, path, (), depth + 1)
                 self._unnamed -= name is None
         elif kind == "template_declaration":
-            names = _template(node.field("parameters"))
+            names = _template(node.fields.get("parameters"))
             self._scope(
                 [each for each in node.children if each.kind != "template_parameter_list"], scope, path, template + names, depth + 1
             )
         elif kind == "type_definition":
             self._types_in(node, scope, path, depth)
-            named = node.field("type")
-            for declarator in node.fields.get("declarator", []):
+            named = node.fields.get("type")
+            for declarator in node.every("declarator"):
                 called = name_of(declarator)
                 if named and called and joined(scope, called) not in self.classes:
                     self.aliases.setdefault(joined(scope, called), (parse_type(_type_text(named)), scope))
         elif kind == "alias_declaration":
-            name, named = node.field("name"), node.field("type")
+            name, named = node.fields.get("name"), node.fields.get("type")
             if name and named and joined(scope, name.text) not in self.aliases:
                 self.aliases[joined(scope, name.text)] = (parse_type(named.text), scope)
                 if template:
@@ -200,25 +197,25 @@ class Declarations:
         elif kind == "using_declaration":
             self.using(node, scope, self.opened.get(scope))
         elif kind == "namespace_alias_definition":
-            name = node.field("name")
+            name = node.fields.get("name")
             others = [each for each in node.children if each is not name]
             if name and others:
                 self.namespaces.setdefault(joined(scope, name.text), others[-1].text.removeprefix("::"))
         elif kind == "enum_specifier":
             self._enum(node, scope)
         elif kind == "preproc_def":
-            name, value = node.field("name"), node.field("value")
+            name, value = node.fields.get("name"), node.fields.get("value")
             if name and value:
                 text = value.text.strip()
                 self.macros.setdefault(name.text, text)
                 if _QUALIFIED.fullmatch(text):
                     self.aliases.setdefault(name.text, (parse_type(text), ""))  # it may stand for a class
         elif kind == "preproc_function_def":
-            name, value, parameters = node.field("name"), node.field("value"), node.field("parameters")
+            name, value, parameters = node.fields.get("name"), node.fields.get("value"), node.fields.get("parameters")
             if name and value and parameters:
                 self.calls.setdefault(name.text, (tuple(each.text for each in parameters.children), value.text.replace("\\\n", " ")))
         elif kind == "preproc_include":
-            where = node.field("path")
+            where = node.fields.get("path")
             match = _MESSAGE.fullmatch(where.text.strip('<>"')) if where else None
             if where is not None and _OF_ROS.match(where.text.strip('<>"')):
                 self.of_ros.add(path)
@@ -227,17 +224,17 @@ class Declarations:
         elif kind == "expression_statement":
             self.invocations += [(each, path) for each in node.children if each.kind == "call_expression"]
         elif kind in _SCOPES:
-            if kind == "preproc_if" and _is_zero(node.field("condition")):
-                rest = node.field("alternative")
+            if kind == "preproc_if" and _is_zero(node.fields.get("condition")):
+                rest = node.fields.get("alternative")
                 self._scope([rest] if rest else [], scope, path, template, depth + 1)
             else:
                 self._scope(node.children, scope, path, template, depth + 1)
 
     def _types_in(self, node: Node, scope: str, path: str, depth: int, template: tuple[str, ...] = ()) -> None:
-        named = node.field("type")
+        named = node.fields.get("type")
         if named and named.kind in ("class_specifier", "struct_specifier", "enum_specifier", "union_specifier"):
-            if named.field("name") is None and named.kind != "enum_specifier":
-                declarator = node.field("declarator")
+            if named.fields.get("name") is None and named.kind != "enum_specifier":
+                declarator = node.fields.get("declarator")
                 name = name_of(declarator) if declarator else ""
                 # A struct without a name is called by what is declared with it.
                 self._class(named, scope, path, template, depth, name)
@@ -245,7 +242,7 @@ class Declarations:
                 self._declaration(named, scope, path, template, depth + 1)
 
     def _class(self, node: Node, scope: str, path: str, template: tuple[str, ...], depth: int, called: str = "") -> None:
-        name, body = node.field("name"), node.field("body")
+        name, body = node.fields.get("name"), node.fields.get("body")
         if body is None or (name is None and not called):
             return
         plain = without_arguments(name.text) if name else called
@@ -266,11 +263,11 @@ class Declarations:
 
     def _enum(self, node: Node, scope: str) -> None:
         """Enumerators: each is the last one that is given a value, and how many it stands behind that."""
-        name, body = node.field("name"), node.field("body")
+        name, body = node.fields.get("name"), node.fields.get("body")
         last: Node | None = None
         behind = 0
         for each in body.children if body else ():
-            named, value = each.field("name"), each.field("value")
+            named, value = each.fields.get("name"), each.fields.get("value")
             if named is None:
                 continue
             last, behind = (value, 0) if value is not None else (last, behind)
@@ -295,14 +292,14 @@ class Declarations:
             self.aliases.setdefault(joined(scope, text.rpartition("::")[2]), (Type(text), ""))
 
     def _variables(self, node: Node, scope: str, path: str, template: tuple[str, ...]) -> None:
-        named = node.field("type")
-        declarators = node.fields.get("declarator", [])
+        named = node.fields.get("type")
+        declarators = node.every("declarator")
         if not named:
             # A constructor or destructor has no type.
             for declarator in declarators:
                 self._function(node, declarator, scope, path, template)
             return
-        initials = node.fields.get("default_value", [])
+        initials = node.every("default_value")
         shared = _type_text(named)
         constant = any(each.kind == "type_qualifier" and each.text in ("const", "constexpr") for each in node.children)
         for declarator in declarators:
@@ -320,7 +317,7 @@ class Declarations:
     def _variable(self, declarator: Node, type_: Type, initial: Node | None, scope: str, path: str, constant: bool) -> None:
         name = name_of(declarator)
         if declarator.kind == "init_declarator":
-            initial = declarator.field("value")
+            initial = declarator.fields.get("value")
         if not name:
             return
         if not type_.name and not initial:
@@ -338,14 +335,14 @@ class Declarations:
 
     def _function(self, node: Node, declarator: Node | None, scope: str, path: str, template: tuple[str, ...]) -> None:
         function = function_declarator(declarator)
-        named = function.field("declarator") if function else None
+        named = function.fields.get("declarator") if function else None
         if function is None or named is None:
             return
         name = function_name(named)
         if not name:
             return
-        returns = node.field("type")
-        parameters = parameters_of(function.field("parameters"))
+        returns = node.fields.get("type")
+        parameters = parameters_of(function.fields.get("parameters"))
         qualified = joined(scope, name.removeprefix("::"))
         found = Function(
             qualified, qualified.rpartition("::")[0], parameters, parse_type(returns.text) if returns else UNTYPED, node, path, template
@@ -422,7 +419,7 @@ def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
     for each in node.children if node else ():
         if each.kind not in ("parameter_declaration", "optional_parameter_declaration", "variadic_parameter_declaration"):
             continue
-        named, declarator = each.field("type"), each.field("declarator")
+        named, declarator = each.fields.get("type"), each.fields.get("declarator")
         if named is None or (named.text == "void" and declarator is None):
             continue
         shared = False
@@ -436,8 +433,9 @@ def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
                 "abstract_reference_declarator",
                 "abstract_pointer_declarator",
             )
-            inner = inner.field("declarator") or (inner.children[-1] if inner.kind == "reference_declarator" and inner.children else None)
-        found.append(Parameter(name_of(declarator), parse_type(named.text), shared, each.field("default_value")))
+            last = inner.children[-1] if inner.kind == "reference_declarator" and inner.children else None
+            inner = inner.fields.get("declarator") or last
+        found.append(Parameter(name_of(declarator), parse_type(named.text), shared, each.fields.get("default_value")))
     return tuple(found)
 
 
@@ -451,14 +449,14 @@ def _between(node: Node, declarator: Node, initial: Node) -> bool:
 def _template(node: Node | None) -> tuple[str, ...]:
     names: list[str] = []
     for each in node.children if node else ():
-        name = each.field("name") or each.field("declarator") or (each.children[-1] if each.children else None)
+        name = each.fields.get("name") or each.fields.get("declarator") or (each.children[-1] if each.children else None)
         names.append(name.text if name else "")
     return tuple(names)
 
 
 def _type_text(node: Node) -> str:
     if node.kind in ("class_specifier", "struct_specifier", "enum_specifier", "union_specifier"):
-        name = node.field("name")
+        name = node.fields.get("name")
         return name.text if name else ""
     return node.text
 

@@ -20,7 +20,7 @@ def name_of(declarator: Node | None) -> str:
     for _ in range(_DEEPEST):
         if declarator is None:
             return ""
-        inner = declarator.field("declarator")
+        inner = declarator.fields.get("declarator")
         if inner is None and declarator.kind in _WRAPPERS and declarator.children:
             inner = declarator.children[-1]
         if inner is None:
@@ -43,7 +43,7 @@ _NAMES = (
 def function_name(named: Node) -> str:
     """The name of a function: ``a::B::c``, ``B::operator<<``, ``B::~B``."""
     last = named
-    while last.kind == "qualified_identifier" and (inner := last.field("name")) is not None:
+    while last.kind == "qualified_identifier" and (inner := last.fields.get("name")) is not None:
         last = inner
     if last.kind != "operator_name":
         return without_arguments(named.text).replace(" ", "")
@@ -58,13 +58,13 @@ def function_declarator(declarator: Node | None) -> Node | None:
             return declarator
         if declarator.kind not in _WRAPPERS or declarator.kind == "init_declarator":
             return None
-        declarator = declarator.field("declarator") or (declarator.children[-1] if declarator.children else None)
+        declarator = declarator.fields.get("declarator") or (declarator.children[-1] if declarator.children else None)
     return None
 
 
 def is_pointer_to_function(function: Node) -> bool:
     """Whether a function declarator declares a pointer to a function."""
-    inner = function.field("declarator")
+    inner = function.fields.get("declarator")
     return inner is not None and inner.kind == "parenthesized_declarator"
 
 
@@ -75,7 +75,7 @@ def is_pointer(declarator: Node | None) -> bool:
             return False
         if declarator.kind in ("pointer_declarator", "reference_declarator"):
             return True
-        declarator = declarator.field("declarator")
+        declarator = declarator.fields.get("declarator")
     return False
 
 
@@ -86,7 +86,7 @@ def is_array(declarator: Node | None) -> bool:
             return False
         if declarator.kind == "array_declarator":
             return True
-        declarator = declarator.field("declarator")
+        declarator = declarator.fields.get("declarator")
     return False
 
 

@@ -63,7 +63,7 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
     if kind == "char_literal":
         return Text(braced(unescaped(node.text[1:-1])))
     if kind in _WRAPPED:
-        inner = node.field("value") or (node.children[0] if node.children else None)
+        inner = node.fields.get("value") or (node.children[0] if node.children else None)
         return machine.evaluate(inner, frame)
     if kind == "this":
         return frame.this or UNKNOWN
@@ -80,19 +80,19 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
     if kind == "subscript_expression":
         return _subscript(machine, node, frame)
     if kind == "template_function":
-        named = node.field("name")
+        named = node.fields.get("name")
         functions = calls.functions(machine, named.text, frame) if named is not None else []
         types = tuple(machine.names.resolve(each, frame) for each in calls.template_arguments(node))
         return Callable(tuple(functions), types=types) if functions else UNKNOWN
     if kind == "lambda_expression":
         return machine.unseen.taken(Closure(node, frame), frame)
     if kind == "new_expression":
-        type_, given = node.field("type"), node.field("arguments")
+        type_, given = node.fields.get("type"), node.fields.get("arguments")
         if type_ is None:
             return UNKNOWN
         return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, given, frame), node, frame)
     if kind == "compound_literal_expression":
-        type_, listed = node.field("type"), node.field("value")
+        type_, listed = node.fields.get("type"), node.fields.get("value")
         if type_ is None:
             return UNKNOWN
         if listed is not None and listed.children and classes.is_list(machine, parse_type(type_.text), frame):
@@ -177,12 +177,12 @@ def _binary(machine: Machine, node: Node, frame: Frame) -> Value:
     inner: Node | None = node
     while inner is not None and inner.kind == "binary_expression":
         spine.append(inner)
-        inner = inner.field("left")
+        inner = inner.fields.get("left")
     value = machine.evaluate(inner, frame)
     for each in reversed(spine):
-        operator = each.field("operator")
+        operator = each.fields.get("operator")
         sign = operator.text if operator else ""
-        right = each.field("right")
+        right = each.fields.get("right")
         if sign in ("&&", "||") and isinstance(value, Number):
             if bool(value.value) is (sign == "||"):
                 continue
@@ -200,7 +200,7 @@ def _binary(machine: Machine, node: Node, frame: Frame) -> Value:
 
 
 def _assignment(machine: Machine, node: Node, frame: Frame) -> Value:
-    left, right, operator = node.field("left"), node.field("right"), node.field("operator")
+    left, right, operator = node.fields.get("left"), node.fields.get("right"), node.fields.get("operator")
     value = machine.evaluate(right, frame)
     cell = cell_of(machine, left, frame)
     if cell is None:
@@ -231,7 +231,7 @@ def _assignment(machine: Machine, node: Node, frame: Frame) -> Value:
 
 def _store(machine: Machine, left: Node, value: Value, frame: Frame) -> None:
     """``a[key] = value``: of a list with a number, or of a map."""
-    cell = cell_of(machine, left.field("argument"), frame)
+    cell = cell_of(machine, left.fields.get("argument"), frame)
     if cell is None:
         return
     index = _index(machine, left, frame)
@@ -249,13 +249,13 @@ def _store(machine: Machine, left: Node, value: Value, frame: Frame) -> None:
 
 
 def _index(machine: Machine, node: Node, frame: Frame) -> Value:
-    indices = node.field("indices") or node.field("index")
+    indices = node.fields.get("indices") or node.fields.get("index")
     inner = indices.children[0] if indices and indices.kind == "subscript_argument_list" and indices.children else indices
     return machine.evaluate(inner, frame)
 
 
 def _subscript(machine: Machine, node: Node, frame: Frame) -> Value:
-    value = machine.evaluate(node.field("argument"), frame)
+    value = machine.evaluate(node.fields.get("argument"), frame)
     index = _index(machine, node, frame)
     if isinstance(value, Thing) and value.type.name == "<argv>":
         if isinstance(index, Number) and isinstance(index.value, int) and 1 <= index.value < 1000:
@@ -269,7 +269,7 @@ def _subscript(machine: Machine, node: Node, frame: Frame) -> Value:
                 return pair.items[1]
         if isinstance(index, Unknown) and value.items and all(isinstance(each, (Thing, Handle)) for each in value.items):
             return either([("", each) for each in value.items])
-    inner = node.field("indices") or node.field("index")
+    inner = node.fields.get("indices") or node.fields.get("index")
     counted = inner is not None and any(each.kind == "identifier" for each in (inner, *inner.children))
     return machine.tables.each(value) if counted else UNKNOWN
 
@@ -277,24 +277,24 @@ def _subscript(machine: Machine, node: Node, frame: Frame) -> Value:
 def _conditional(machine: Machine, node: Node, frame: Frame) -> Value:
     from launchlint.extract.cpp.statements import condition_text, decided, negated
 
-    condition = node.field("condition")
+    condition = node.fields.get("condition")
     known = decided(machine, condition, frame)
     if known is not None:
-        return machine.evaluate(node.field("consequence" if known else "alternative"), frame)
+        return machine.evaluate(node.fields.get("consequence" if known else "alternative"), frame)
     text = condition_text(condition)
     found: list[tuple[str, Value]] = []
     for each, name in ((text, "consequence"), (negated(text), "alternative")):
         machine.conditions.append(each)
         try:
-            found.append((each, machine.evaluate(node.field(name), frame)))
+            found.append((each, machine.evaluate(node.fields.get(name), frame)))
         finally:
             machine.conditions.pop()
     return either(found)
 
 
 def _unary(machine: Machine, node: Node, frame: Frame) -> Value:
-    value = machine.evaluate(node.field("argument"), frame)
-    operator = node.field("operator")
+    value = machine.evaluate(node.fields.get("argument"), frame)
+    operator = node.fields.get("operator")
     sign = operator.text if operator else ""
     if isinstance(value, Number):
         if sign in ("!", "not"):
@@ -307,7 +307,7 @@ def _unary(machine: Machine, node: Node, frame: Frame) -> Value:
 
 
 def _pointer(machine: Machine, node: Node, frame: Frame) -> Value:
-    operator, argument = node.field("operator"), node.field("argument")
+    operator, argument = node.fields.get("operator"), node.fields.get("argument")
     if argument is None:
         return UNKNOWN
     if (
@@ -323,16 +323,16 @@ def _pointer(machine: Machine, node: Node, frame: Frame) -> Value:
 
 
 def _cast(machine: Machine, node: Node, frame: Frame) -> Value:
-    type_ = node.field("type")
-    value = machine.evaluate(node.field("value"), frame)
+    type_ = node.fields.get("type")
+    value = machine.evaluate(node.fields.get("value"), frame)
     return classes.converted(machine, value, parse_type(type_.text), frame) if type_ is not None else value
 
 
 def _update(machine: Machine, node: Node, frame: Frame) -> Value:
-    cell = cell_of(machine, node.field("argument"), frame)
+    cell = cell_of(machine, node.fields.get("argument"), frame)
     if cell is None:
         return UNKNOWN
-    operator = node.field("operator")
+    operator = node.fields.get("operator")
     before = cell.value
     step = 1 if operator and operator.text == "++" else -1
     after: Value = Number(before.value + step) if isinstance(before, Number) and not isinstance(before.value, bool) else UNKNOWN

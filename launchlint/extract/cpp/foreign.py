@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable
+from functools import lru_cache
 
 from launchlint.extract.cpp.silent import BASES, NAMESPACES, PACKAGES
 from launchlint.workspace.public_packages import public_names
@@ -58,7 +59,9 @@ class Foreign:
 
     def words_among(self, words: Iterable[str]) -> set[str]:
         """Those of the words that name something of these headers."""
-        return {each for each in words if self.header_of(each) is not None or _plain(each) in self._words}
+        if not (self._words or self._stems):
+            return set()
+        return {each for each in words if (plain := _plain(each)) in self._words or (plain in self._stems and self.header_of(each))}
 
     def header_of_function(self, name: str, around: Iterable[str] = ()) -> str | None:
         """The header that may declare a function that is not here, and may talk; None where it is silent."""
@@ -116,6 +119,7 @@ def is_of_messages(package: str) -> bool:
     return _MESSAGES.search(package) is not None
 
 
+@lru_cache(maxsize=16384)
 def is_silent(name: str) -> bool:
     """Whether a class or namespace is of a library that makes no names."""
     parts = name.split("::")
@@ -124,5 +128,6 @@ def is_silent(name: str) -> bool:
     return any("::".join(parts[:length]) in NAMESPACES for length in range(1, len(parts) + 1))
 
 
+@lru_cache(maxsize=16384)
 def _plain(word: str) -> str:
     return word.lower().replace("_", "").replace("-", "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from launchlint.extract.cpp import classes, places
 from launchlint.extract.cpp.declarations import Function
@@ -22,10 +23,16 @@ def forget(machine: Machine, function: Function, this: Thing | None) -> None:
     if function.body is None:
         return
     frame = Frame(function.path, function.scope, this, {})
-    for name, parts in dict.fromkeys(_ASSIGNED.findall(function.body.text)):
+    for name, parts in _assigned(function.body.text):
         cell = classes.member(machine, this, name) or places.of_program(machine, name, frame)
         for part in filter(None, parts.split(".")):
             thing = None if cell is None else next((each for _, each in choices(cell.value) if isinstance(each, Thing)), None)
             cell = classes.member(machine, thing, part)
         if cell is not None and not cell.constant:
             machine.write(cell, UNKNOWN)
+
+
+@lru_cache(maxsize=4096)
+def _assigned(text: str) -> tuple[tuple[str, str], ...]:
+    """What a body assigns: the variable or member, and the parts of it behind that, each with its dot."""
+    return tuple(dict.fromkeys(_ASSIGNED.findall(text)))

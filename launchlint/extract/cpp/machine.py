@@ -7,7 +7,8 @@ parameters and calls; both sides of an ``if`` are followed, and what they leave 
 from __future__ import annotations
 
 from collections.abc import Callable as Does
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
+from functools import lru_cache
 
 from launchlint.extract.cpp import classes, expressions, overloads, places, statements
 from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
@@ -29,12 +30,13 @@ from launchlint.extract.cpp.values import (
     Number,
     Text,
     Thing,
+    Unknown,
     Value,
     both,
     choices,
     either,
 )
-from launchlint.extract.fact import Doubt, Fact, Made, Plugin
+from launchlint.extract.fact import Doubt, Fact, Made, Plugin, key_of
 from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
@@ -52,7 +54,7 @@ _MOST_NUMBERED = 10
 _MOST_STEPS_OF_NUMBERED = 4_000
 _LONGEST_CONDITION = 160
 _LARGEST_IRRELEVANT = 1_500
-_LARGEST_PLAIN = 500
+_LARGEST_PLAIN = 150
 _MOST_STEPS_OF_IRRELEVANT = 3_000
 """Steps that one program is followed through one function that has nothing to do with names, and what that calls."""
 _PLAIN = DOUBLES | INTEGERS | {"void"}
@@ -96,7 +98,9 @@ class Machine:
         self.is_loaded = False  # into the process of a nodelet manager
         self.root = root
         self.names = Names(declarations, self.foreign)
-        self.facts: dict[str, Fact] = {}
+        self.facts: dict[Hashable, Fact] = {}
+        self.noted = 0
+        """How often a fact was noted, also one that is known."""
         self.doubts: dict[Doubt, None] = {}
         self.nodes: dict[str, Made] = {}
         self.set_here: set[str] = set()  # params that the program has set by now: of what type they were does not matter to it
@@ -135,10 +139,9 @@ class Machine:
         if node is None or not self.step():
             return UNKNOWN
         self.depth += 1
-        try:
-            return expressions.evaluate(self, node, frame)
-        finally:
-            self.depth -= 1
+        value = expressions.evaluate(self, node, frame)
+        self.depth -= 1
+        return value
 
     def argument(self, node: Node, frame: Frame) -> Argument:
         """An argument that is the name of a variable."""
@@ -149,20 +152,21 @@ class Machine:
         if not self.step():
             return ""
         self.depth += 1
-        try:
-            return statements.execute(self, node, frame)
-        finally:
-            self.depth -= 1
+        signal = statements.execute(self, node, frame)
+        self.depth -= 1
+        return signal
 
     def step(self) -> bool:
         """Count one step; whether there may be another one."""
         self.steps += 1
+        if self.steps < _MOST_STEPS and self.depth < _DEEPEST:
+            return True
         if self.steps == _MOST_STEPS:
             self.doubt_all("the program is too long to be followed to its end", self.temporary.path, 1)
         if self.depth >= _DEEPEST and not self.too_deep:
             self.too_deep = True
             self.doubt_all("the program is nested too deeply to be followed to its end", self.calls[-1].path if self.calls else "", 1)
-        return self.steps < _MOST_STEPS and self.depth < _DEEPEST
+        return False
 
     def finish(self) -> None:
         """Follow the functions that are called later, until there are no more; then those that only other code calls."""
@@ -238,15 +242,34 @@ class Machine:
             return ""
         return "return" if signals == {"return"} else min(signals)
 
+    def telling(self, run: Does[[], str]) -> tuple[str, bool]:
+        """Follow what is reached for certain; and whether it makes names, or writes what names are made of."""
+        told = self._told()
+        self.journals.append({})
+        try:
+            signal = run()
+        finally:
+            before = self.journals.pop()
+        if self.journals:
+            for cell, value in before.items():
+                self.journals[-1].setdefault(cell, value)
+        return signal, told != self._told() or any(_may_tell(cell.value) for cell in before)
+
+    def _told(self) -> tuple[int, int, int]:
+        """What has been told by now, in numbers: these grow with all that is."""
+        return self.noted, len(self.doubts), len(self.queued)
+
     def once_or_more(self, run: Does[[], str], condition: str) -> str:
         """Follow the body of a loop of which nobody knows how often it runs; ``condition`` is the text of what decides that."""
         earlier, self.facts = self.facts, {}
+        told = self._told()
         signal, before, after = self._turn(run)
         first, self.facts = self.facts, {}
         counted = [
             cell for cell, value in after.items() if isinstance(value, (Number, Items)) and isinstance(before[cell], (Number, Items))
         ]
-        if counted and self.loops < _MOST_LOOPS:
+        tells = told != self._told() or any(_may_tell(each) for each in after.values() if not isinstance(each, Items))
+        if counted and tells and self.loops < _MOST_LOOPS:
             # A second turn, in which what the first one counted or collected is not known.
             doubts = dict(self.doubts)
             for cell in counted:
@@ -274,7 +297,7 @@ class Machine:
         return signal
 
     def _numbered(
-        self, run: Does[[], str], condition: str, after: dict[Cell, Value], first: dict[str, Fact], loose: set[tuple[str, str, int]]
+        self, run: Does[[], str], condition: str, after: dict[Cell, Value], first: dict[Hashable, Fact], loose: set[tuple[str, str, int]]
     ) -> None:
         """Further turns of a loop that makes numbered names: each of them is there where the loop comes so far.
 
@@ -380,7 +403,8 @@ class Machine:
             return UNKNOWN
         relevant = overloads.is_relevant(self, function)
         if not relevant:
-            largest = _LARGEST_PLAIN if function.returns.name in _PLAIN else _LARGEST_IRRELEVANT
+            is_plain = function.returns.name in _PLAIN and not any(map(self._may_be_called, arguments))
+            largest = _LARGEST_PLAIN if is_plain else _LARGEST_IRRELEVANT
             if function.body.size > largest or self.spent.get(function, 0) > _MOST_STEPS_OF_IRRELEVANT:
                 forget(self, function, this)
                 return UNKNOWN
@@ -403,6 +427,13 @@ class Machine:
                 self.spent[function] = self.spent.get(function, 0) + self.steps - begun
         return either(frame.returns) if frame.returns else UNKNOWN
 
+    def _may_be_called(self, given: Argument) -> bool:
+        """Whether an argument is a function, or an object that can be called like one."""
+        for _, value in choices(given.value):
+            if isinstance(value, (Callable, Closure)) or (isinstance(value, Thing) and classes.methods(self, value, "operator()")):
+                return True
+        return False
+
     def _body(self, body: Node, frame: Frame) -> None:
         """Follow a body, and take the conditions of its early returns off afterwards."""
         conditions = list(self.conditions)
@@ -410,7 +441,7 @@ class Machine:
         self.conditions = conditions
 
     def _closure(self, closure: Closure, arguments: Sequence[Argument]) -> Value:
-        body = closure.node.field("body")
+        body = closure.node.fields.get("body")
         if body is None or len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20:
             return UNKNOWN
         outer = closure.frame
@@ -423,8 +454,8 @@ class Machine:
 
     def parameters(self, closure: Closure) -> tuple[Parameter, ...]:
         """The parameters of a lambda."""
-        declarator = closure.node.field("declarator")
-        return parameters_of(declarator.field("parameters")) if declarator else ()
+        declarator = closure.node.fields.get("declarator")
+        return parameters_of(declarator.fields.get("parameters")) if declarator else ()
 
     def bind(self, parameters: Sequence[Parameter], defaults: dict[int, Node], arguments: Sequence[Argument], frame: Frame) -> None:
         """Give the parameters their values; references are the variable itself."""
@@ -472,7 +503,8 @@ class Machine:
         """Keep a fact; the same one twice is one."""
         if self.instance is not None:
             fact = fact._replace(name=self.instance.renamed(fact.name))
-        self.facts.setdefault(repr(fact), fact)
+        self.noted += 1
+        self.facts.setdefault(key_of(fact), fact)
         if len(self.facts) == _MOST_FACTS:
             self.doubt_all(f"only {_MOST_FACTS} names are listed", fact.path, fact.line)
 
@@ -487,11 +519,23 @@ class Machine:
             self.doubts[Doubt(category, reason, path, line)] = None
 
 
+def _may_tell(value: Value) -> bool:
+    """Whether a value that a turn of a loop leaves behind may be part of a name, or make one: a number is that of this turn only."""
+    for _, each in choices(value):
+        if isinstance(each, Items):
+            if not all(isinstance(item, (Number, Unknown)) for item in each.items):
+                return True
+        elif isinstance(each, (Text, Callable, Closure)):
+            return True
+    return False
+
+
 def _is_loose(name: str) -> bool:
     """Whether what is known of a name does not say how it begins."""
     return ANY in name and not is_anchored(name)
 
 
+@lru_cache(maxsize=4096)
 def shortened(text: str, longest: int = _LONGEST_CONDITION) -> str:
     """Source text on one line, and not too long."""
     plain = " ".join("".join(char if char.isprintable() else " " for char in text[: longest * 4]).split())

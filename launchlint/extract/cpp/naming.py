@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from launchlint.extract.cpp.declarations import Class, Declarations, joined
 from launchlint.extract.cpp.foreign import Foreign, is_of_messages
@@ -53,17 +54,26 @@ class Names:
         self.declarations = declarations
         self._foreign = foreign or Foreign()
         self._bases: dict[str, list[Class]] = {}
+        self._chains: dict[Class, list[Class]] = {}
         self._derived: dict[str, list[Class]] = {}
         self._scopes: dict[str, tuple[str, ...]] = {}
         self._resolved: dict[tuple[Type, str, int], tuple[Type, frozenset[str]]] = {}
         self._known = (0, 0)
+
+    def chain(self, declared: Class) -> list[Class]:
+        """A class and its bases, nearest first."""
+        self._refresh()
+        known = self._chains.get(declared)
+        if known is None:
+            known = self._chains[declared] = [declared, *self.bases(declared.name)]
+        return known
 
     def _refresh(self) -> None:
         """Forget what was looked up where a using directive in a function has added to what can be found."""
         known = (len(self.declarations.used), len(self.declarations.aliases))
         if known != self._known:
             self._known = known
-            for each in (self._bases, self._derived, self._scopes, self._resolved):
+            for each in (self._bases, self._chains, self._derived, self._scopes, self._resolved):
                 each.clear()
 
     def scopes(self, scope: str) -> tuple[str, ...]:
@@ -351,6 +361,7 @@ def below(namespace: str, name: str) -> str:
     return name if name == UNKNOWN_SPACE else in_namespace(namespace, name)
 
 
+@lru_cache(maxsize=16384)
 def finished(name: str) -> str:
     """A name as the library format has it: the node's own name in front is ``~``, doubled and last slashes are gone."""
     name = name.replace(LOOSE, "").replace("/" + NODE_NAME, NODE_NAME).replace("/" + NODE_NAMESPACE, NODE_NAMESPACE)

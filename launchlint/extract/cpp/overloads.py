@@ -114,7 +114,9 @@ def tells(machine: Machine, function: Function) -> bool:
 def telling(machine: Machine, text: str) -> bool:
     """Whether a piece of source may make names of ROS; told by its words alone."""
     words = machine.tables.words
-    return any(word in words and word not in machine.tables.silent_words for word in _WORD.findall(text))
+    if any(word in words and word not in machine.tables.silent_words for word in _WORD.findall(text)):
+        return True
+    return any(name in text for name in machine.tables.qualified)
 
 
 def talks(machine: Machine, declared: Class) -> bool:

@@ -20,10 +20,9 @@ def cell_of(machine: Machine, node: Node | None, frame: Frame) -> Cell | None:
     if node is None or not machine.step():
         return None
     machine.depth += 1
-    try:
-        return _cell(machine, node, frame)
-    finally:
-        machine.depth -= 1
+    cell = _cell(machine, node, frame)
+    machine.depth -= 1
+    return cell
 
 
 def _cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
@@ -33,7 +32,7 @@ def _cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
         found = frame.variable(name) or classes.member(machine, frame.this, name)
         return found or of_program(machine, name, frame)
     if kind == "field_expression":
-        argument = node.field("argument")
+        argument = node.fields.get("argument")
         if argument is None:
             return None
         value, cell = _looked_at(machine, argument, frame)
@@ -47,20 +46,20 @@ def _cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
                 return found
         return of_program(machine, text, frame)
     if kind in ("pointer_expression", "parenthesized_expression"):
-        inner = node.field("argument") or (node.children[0] if node.children else None)
+        inner = node.fields.get("argument") or (node.children[0] if node.children else None)
         return cell_of(machine, inner, frame)
     return None
 
 
 def of_member(machine: Machine, node: Node, frame: Frame) -> Value:
     """The value of ``a.b`` or ``a->b``."""
-    argument = node.field("argument")
+    argument = node.fields.get("argument")
     return UNKNOWN if argument is None else _value(machine, *_looked_at(machine, argument, frame), node, frame)
 
 
 def read(machine: Machine, node: Node, frame: Frame) -> tuple[Value, Cell | None]:
     """The value of an expression, and the variable that it names; what stands before its last dot is evaluated once for both."""
-    argument = node.field("argument") if node.kind == "field_expression" else None
+    argument = node.fields.get("argument") if node.kind == "field_expression" else None
     if argument is None:
         cell = cell_of(machine, node, frame)
         return machine.evaluate(node, frame) if cell is None else machine.read(cell), cell
@@ -80,7 +79,7 @@ def _looked_at(machine: Machine, node: Node, frame: Frame) -> tuple[Value, Cell 
 
     It is evaluated once, however many dots follow.
     """
-    argument = node.field("argument") if node.kind == "field_expression" else None
+    argument = node.fields.get("argument") if node.kind == "field_expression" else None
     if argument is None:
         value = machine.evaluate(node, frame)
         return value, cell_of(machine, node, frame) if _is_in_doubt(value) else None
@@ -101,7 +100,7 @@ def _is_in_doubt(value: Value) -> bool:
 
 def _value(machine: Machine, before: Value, cell: Cell | None, node: Node, frame: Frame) -> Value:
     """The value of the member that ``node`` names of an object; ``cell`` is the variable of one that nobody made."""
-    named = node.field("field")
+    named = node.fields.get("field")
     if named is None:
         return UNKNOWN
     name = named.text
@@ -132,7 +131,7 @@ def _object(machine: Machine, value: Value, cell: Cell | None, frame: Frame) -> 
 
 def _member(machine: Machine, owner: Thing | None, node: Node) -> Cell | None:
     """The member variable that ``node`` names of an object; None where it has none."""
-    named = node.field("field")
+    named = node.fields.get("field")
     if owner is None or named is None or named.kind not in ("field_identifier", "identifier"):
         return None
     found = classes.member(machine, owner, named.text)

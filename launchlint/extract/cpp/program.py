@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Hashable, Sequence
 
 from launchlint.extract.cpp import nodelet, unit_tests
 from launchlint.extract.cpp.declarations import Declarations
@@ -18,7 +18,7 @@ from launchlint.extract.cpp.rclcpp.tables import RCLCPP
 from launchlint.extract.cpp.ros.roscpp import ROSCPP
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Thing
-from launchlint.extract.fact import Doubt, Fact, Made, Plugin
+from launchlint.extract.fact import Doubt, Fact, Made, Plugin, key_of
 from launchlint.extract.template import Template
 
 _MAKES = re.compile(
@@ -141,7 +141,7 @@ def _sorted(facts: Sequence[Fact]) -> tuple[Fact, ...]:
     """Facts without those that every node has, and without conditional ones where the same is said without condition."""
     certain = {_key(each): each for each in facts if not each.condition and each.when == "start"}
     unconditional = {_key(each) for each in facts if not each.condition}
-    found: dict[str, Fact] = {}
+    found: dict[Hashable, Fact] = {}
     for each in facts:
         if each.name in _EVERYWHERE or not each.name:
             continue
@@ -150,7 +150,7 @@ def _sorted(facts: Sequence[Fact]) -> tuple[Fact, ...]:
             continue
         if key in unconditional and each.condition:
             continue
-        found.setdefault(repr(each), each)
+        found.setdefault(key_of(each), each)
     return tuple(
         sorted(found.values(), key=lambda each: (each.category, each.name, each.path, each.line, each.role, each.condition, repr(each)))
     )

@@ -124,6 +124,7 @@ class Relevance:
             for base in self._names.bases(declared.name):
                 self._derived.setdefault(base.name, []).append(declared)
         functions = [each for found in self._declarations.functions.values() for each in found if each.body is not None]
+        functions += [each for each in self._declarations.tests if each.body is not None]
         for full, (named, _) in self._declarations.aliases.items():
             self._aliases.setdefault(named.last, []).append(full.rpartition("::")[2])
         strange = others({word for each in functions for word in _mentions(each.text)} | {each for each in self._holders if each})
@@ -131,7 +132,7 @@ class Relevance:
         told.update(name for name, (_, text) in self._declarations.calls.items() if not told.isdisjoint(_mentions(text)))
         # Only these words can make a function relevant.
         words = {*told, *self._by_last, *self._handles, *(alias for listed in self._aliases.values() for alias in listed)}
-        words.update(name.rpartition("::")[2] for name in self._declarations.functions)
+        words.update(name.rpartition("::")[2] for name in (*self._declarations.functions, *self._tables.qualified))
         for each in functions:
             each.relevant = False
             own = _mentions(each.text)
@@ -150,6 +151,10 @@ class Relevance:
         for word in self._handles:
             for function, mention in self._mentioned.get(word, ()):
                 if _is_given(mention) and not self._is_another(function, word):
+                    self._found(function)
+        for space, _, word in (name.partition("::") for name in self._tables.qualified):
+            for function, mention in self._mentioned.get(word, ()):
+                if mention.joint == "::" and mention.before == space:
                     self._found(function)
         methods = {each.last for each in functions if each.owner}
         for word in told:

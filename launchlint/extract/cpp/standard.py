@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from launchlint.extract.cpp import classes
 from launchlint.extract.cpp.naming import is_whole, template, together
@@ -54,9 +55,19 @@ _FORMATS = re.compile(r"(?:^|::)(?:u?[Ff]ormat|[Ss]tr(?:ing)?_?[Ff]ormat|StringP
 """Functions of libraries that format as printf does, and give the text."""
 
 
+_PRINTING = frozenset(("sprintf", "snprintf", "std::snprintf", "std::sprintf"))
+_COPYING = frozenset(("strcpy", "std::strcpy", "strncpy"))
+_OF_BOOST = frozenset(("boost::format", "format"))
+_FUNCTIONS = frozenset(("boost::function", "std::function"))
+_TUPLES = frozenset(("std::make_pair", "make_pair", "std::pair", "std::make_tuple"))
+_KNOWN = _BINDERS | _MAKERS | _CASTS | _THROUGH | _TO_TEXT | _NUMBERS | _PRINTING | _COPYING | _OF_BOOST | _FUNCTIONS | _TUPLES
+
+
 def function(asked: Call) -> Value | None:
     """The value of a call; None where the function is none of these."""
     name = asked.name
+    if not _may_be_known(name):
+        return None
     machine = asked.machine
     if name in _BINDERS:
         return _bound(asked)
@@ -73,22 +84,28 @@ def function(asked: Call) -> Value | None:
         return _text(asked)
     if name in _NUMBERS and len(asked.arguments) == 1:
         return classes.converted(machine, asked.value(0), Type(name), asked.frame)
-    if name in ("sprintf", "snprintf", "std::snprintf", "std::sprintf"):
+    if name in _PRINTING:
         return _printed(asked, 1 if name.endswith("sprintf") and "n" not in name.removeprefix("std::")[:2] else 2)
-    if name in ("strcpy", "std::strcpy", "strncpy") and asked.cell(0) is not None:
+    if name in _COPYING and asked.cell(0) is not None:
         machine.write(asked.arguments[0].cell or Cell(UNKNOWN), asked.value(1))
         return UNKNOWN
-    if name in ("boost::format", "format") and asked.arguments:
+    if name in _OF_BOOST and asked.arguments:
         thing = Thing(Type("boost::format"), None, 0)
         thing.fields["<text>"] = machine.cell(asked.value(0))
         return thing
     if len(asked.arguments) > 1 and _FORMATS.search(name) and isinstance(asked.value(0), Text):
         return _formatted(asked, 0)
-    if name in ("boost::function", "std::function") and asked.arguments:
+    if name in _FUNCTIONS and asked.arguments:
         return asked.value(0)
-    if name in ("std::make_pair", "make_pair", "std::pair", "std::make_tuple"):
+    if name in _TUPLES:
         return Items(tuple(each.value for each in asked.arguments))
     return None
+
+
+@lru_cache(maxsize=8192)
+def _may_be_known(name: str) -> bool:
+    """Whether :func:`function` knows anything of a function by its name."""
+    return name in _KNOWN or name.endswith(("::make_shared", "::make_unique")) or _FORMATS.search(name) is not None
 
 
 def _made_by_class(asked: Call) -> Value | None:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
 _MOST_TURNS = 40
+_MOST_SILENT_TURNS = 4
+"""Turns of a loop, one after the other, that make no names: a table is filled, or something summed up, and the rest will be like it."""
 _MOST_STATEMENTS = 400
 _NOT_FOLLOWED = frozenset(
     (
@@ -95,29 +97,29 @@ def _is_torn(node: Node) -> bool:
 def _declare_torn(machine: Machine, named: Node, rest: Node, frame: Frame) -> bool:
     """``ns::Type`` and ``name(a, b);`` as the one declaration that they are; whether they are one."""
     call = rest.child("call_expression") if rest.kind == "expression_statement" else None
-    function = call.field("function") if call else None
+    function = call.fields.get("function") if call else None
     if call is None or function is None or function.kind != "identifier" or named.children[0].kind != "qualified_identifier":
         return False
     type_ = parse_type(named.text)
-    value = classes.construct(machine, type_, classes.arguments(machine, call.field("arguments"), frame), rest, frame)
+    value = classes.construct(machine, type_, classes.arguments(machine, call.fields.get("arguments"), frame), rest, frame)
     frame.variables[function.text] = machine.cell(value, type_)
     return True
 
 
 def _ends_program(node: Node) -> bool:
     call = node.child("call_expression")
-    named = call.field("function") if call else None
+    named = call.fields.get("function") if call else None
     return named is not None and named.text in ("exit", "std::exit", "::exit", "abort", "std::abort", "_exit", "usage_exit")
 
 
 def declare(machine: Machine, node: Node, frame: Frame) -> Value:
     """Local variables; the value of the last one."""
-    named = node.field("type")
+    named = node.fields.get("type")
     type_ = parse_type(named.text) if named and named.kind not in ("class_specifier", "struct_specifier", "enum_specifier") else UNTYPED
     constant = any(each.kind == "type_qualifier" and each.text in ("const", "constexpr") for each in node.children)
     value: Value = UNKNOWN
-    for declarator in node.fields.get("declarator", []):
-        initial = declarator.field("value") if declarator.kind == "init_declarator" else node.field("value")
+    for declarator in node.every("declarator"):
+        initial = declarator.fields.get("value") if declarator.kind == "init_declarator" else node.fields.get("value")
         name = name_of(declarator)
         if not name:
             continue
@@ -125,7 +127,7 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
         if function is not None and declarator.kind != "init_declarator":
             if not _is_construction(machine, function, type_, frame):
                 continue
-            parameters = function.field("parameters")
+            parameters = function.fields.get("parameters")
             spelled = [parse_expression(each.text) for each in parameters.children] if parameters else []
             arguments = [machine.argument(each, frame) for each in spelled if each is not None]
             value = classes.construct(machine, type_, arguments, node, frame)
@@ -142,7 +144,7 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
             value = UNKNOWN
         else:
             value = classes.default(machine, type_, node, frame)
-        if declarator.field("parameters") is None and _is_array(declarator) and initial is None:
+        if declarator.fields.get("parameters") is None and _is_array(declarator) and initial is None:
             classes.contain(machine, Type("", (type_,)), frame)
             value = UNKNOWN
         frame.variables[name] = machine.cell(value, type_, constant)
@@ -166,7 +168,7 @@ def _initial(machine: Machine, type_: Type, initial: Node, pointer: bool, node: 
 
 
 def _is_reference(declarator: Node) -> bool:
-    inner = declarator.field("declarator") if declarator.kind == "init_declarator" else declarator
+    inner = declarator.fields.get("declarator") if declarator.kind == "init_declarator" else declarator
     return inner is not None and inner.kind == "reference_declarator"
 
 
@@ -176,11 +178,11 @@ def _is_array(declarator: Node) -> bool:
 
 def _is_construction(machine: Machine, function: Node, type_: Type, frame: Frame) -> bool:
     """Whether ``Foo f(a, b);``, which reads as a function, makes a variable: all it is given are variables."""
-    parameters = function.field("parameters")
+    parameters = function.fields.get("parameters")
     if parameters is None or not type_.name or not parameters.children:
         return False
     for each in parameters.children:
-        named, declarator = each.field("type"), each.field("declarator")
+        named, declarator = each.fields.get("type"), each.fields.get("declarator")
         if named is None:
             return False
         if declarator is not None:
@@ -222,7 +224,7 @@ def negated(text: str) -> str:
 def decided(machine: Machine, node: Node | None, frame: Frame) -> bool | None:
     """Whether a condition is certainly true or false."""
     before, machine.touched = machine.touched, False
-    inner = node.field("value") if node is not None and node.kind == "condition_clause" else node
+    inner = node.fields.get("value") if node is not None and node.kind == "condition_clause" else node
     is_declaration = inner is not None and inner.kind == "declaration"
     value = declare(machine, inner, frame) if inner is not None and is_declaration else machine.evaluate(inner, frame)
     touched, machine.touched = machine.touched, before
@@ -234,9 +236,9 @@ def decided(machine: Machine, node: Node | None, frame: Frame) -> bool | None:
 
 
 def _if(machine: Machine, node: Node, frame: Frame) -> str:
-    condition = node.field("condition")
+    condition = node.fields.get("condition")
     known = decided(machine, condition, frame)
-    consequence, alternative = node.field("consequence"), node.field("alternative")
+    consequence, alternative = node.fields.get("consequence"), node.fields.get("alternative")
     if known is not None:
         taken = consequence if known else alternative
         return machine.execute(taken, frame) if taken else ""
@@ -255,16 +257,16 @@ def _if(machine: Machine, node: Node, frame: Frame) -> str:
 
 def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
     before, machine.touched = machine.touched, False
-    right = machine.evaluate(node.field("right"), frame)
+    right = machine.evaluate(node.fields.get("right"), frame)
     touched, machine.touched = machine.touched, before
-    declarator, named, body = node.field("declarator"), node.field("type"), node.field("body")
+    declarator, named, body = node.fields.get("declarator"), node.fields.get("type"), node.fields.get("body")
     name = name_of(declarator)
     type_ = parse_type(named.text) if named else UNTYPED
     if body is None:
         return ""
     if isinstance(right, Items) and 0 < len(right.items) <= _MOST_TURNS:
         if touched:
-            machine.conditions.append(f"{name} is one of {condition_text(node.field('right'))}")
+            machine.conditions.append(f"{name} is one of {condition_text(node.fields.get('right'))}")
         for item in right.items:
             frame.variables[name] = machine.cell(item, type_)
             if machine.execute(body, frame) in ("break", "return"):
@@ -279,30 +281,31 @@ def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
         frame.variables[name] = machine.cell(item, type_)
         return machine.execute(body, frame)
 
-    machine.once_or_more(turn, f"{name} is one of {condition_text(node.field('right'))}")
+    machine.once_or_more(turn, f"{name} is one of {condition_text(node.fields.get('right'))}")
     return ""
 
 
 def _for(machine: Machine, node: Node, frame: Frame) -> str:
-    initial, condition, update, body = (node.field(each) for each in ("initializer", "condition", "update", "body"))
+    initial, condition, update, body = (node.fields.get(each) for each in ("initializer", "condition", "update", "body"))
     if initial is not None:
         machine.execute(initial, frame)
     if body is None:
         return ""
-    turns = 0
+    turns = silent = 0
     while condition is not None and turns < _MOST_TURNS:
         known = decided(machine, condition, frame)
         if known is False:
             return ""
         if known is None:
             break
-        signal = machine.execute(body, frame)
+        before = machine.steps
+        signal, tells = machine.telling(lambda: machine.execute(body, frame))
         if signal in ("break", "return"):
             return ""
-        before = machine.steps
         machine.evaluate(update, frame)
         turns += 1
-        if machine.steps == before:
+        silent = 0 if tells else silent + 1
+        if machine.steps == before or silent == _MOST_SILENT_TURNS:
             break
 
     def turn() -> str:
@@ -315,7 +318,7 @@ def _for(machine: Machine, node: Node, frame: Frame) -> str:
 
 
 def _while(machine: Machine, node: Node, frame: Frame) -> str:
-    body, condition = node.field("body"), node.field("condition")
+    body, condition = node.fields.get("body"), node.fields.get("condition")
     if node.kind == "while_statement" and decided(machine, condition, frame) is False:
         return ""
     if body is not None:
@@ -339,9 +342,9 @@ def after_loop(before: Value, after: Value) -> Value:
 def _switch(machine: Machine, node: Node, frame: Frame) -> str:
     from launchlint.extract.cpp.machine import shortened
 
-    condition, body = node.field("condition"), node.field("body")
+    condition, body = node.fields.get("condition"), node.fields.get("body")
     text = condition_text(condition)
-    subject = condition.field("value") if condition and condition.kind == "condition_clause" else condition
+    subject = condition.fields.get("value") if condition and condition.kind == "condition_clause" else condition
     value = machine.evaluate(subject, frame)
     if body is None:
         return ""
@@ -350,7 +353,7 @@ def _switch(machine: Machine, node: Node, frame: Frame) -> str:
     labels: list[str] = []
     possible = False
     for position, case in enumerate(cases):
-        label = case.field("value")
+        label = case.fields.get("value")
         labels.append(f"{text} == {condition_text(label)}" if label is not None else f"no case of {text}")
         possible = possible or _may_be(machine, value, label, frame)
         own = [each for each in case.children if each is not label]
@@ -364,14 +367,14 @@ def _switch(machine: Machine, node: Node, frame: Frame) -> str:
         for following in cases[position + 1 :]:
             if len(own) > _MOST_STATEMENTS or _leaves(own):
                 break
-            own = own + [each for each in following.children if each is not following.field("value")]
+            own = own + [each for each in following.children if each is not following.fields.get("value")]
 
         def run(own: list[Node] = own) -> str:
             signal = sequence(machine, own, frame)
             return "" if signal == "break" else signal
 
         runs.append((described, run))
-    if not any(case.field("value") is None for case in cases):
+    if not any(case.fields.get("value") is None for case in cases):
         runs.append(("", lambda: ""))
     return machine.branch(runs)
 
@@ -394,12 +397,12 @@ def _leaves(statements: list[Node]) -> bool:
 
 
 def _try(machine: Machine, node: Node, frame: Frame) -> str:
-    body = node.field("body")
+    body = node.fields.get("body")
     signal = machine.execute(body, frame) if body else ""
     for clause in node.children:
-        inner = clause.field("body") if clause.kind == "catch_clause" else None
+        inner = clause.fields.get("body") if clause.kind == "catch_clause" else None
         if inner is not None:
-            parameters = clause.field("parameters")
+            parameters = clause.fields.get("parameters")
             text = f"catch {condition_text(parameters)}" if parameters else "catch"
 
             def run(inner: Node = inner) -> str:
@@ -412,8 +415,8 @@ def _try(machine: Machine, node: Node, frame: Frame) -> str:
 def _preprocessor(machine: Machine, node: Node, frame: Frame) -> str:
     from launchlint.extract.cpp.machine import shortened
 
-    condition = node.field("condition") or node.field("name")
-    alternative = node.field("alternative")
+    condition = node.fields.get("condition") or node.fields.get("name")
+    alternative = node.fields.get("alternative")
     text = shortened(condition.text) if condition else ""
     if node.kind in ("preproc_ifdef", "preproc_elifdef"):
         text = f"#{'ifndef' if node.text.startswith('#ifndef') else 'ifdef'} {text}"
@@ -433,8 +436,8 @@ def _preprocessor(machine: Machine, node: Node, frame: Frame) -> str:
 
 
 def _alias(node: Node, frame: Frame) -> None:
-    named = node.field("type")
-    declarator = node.field("declarator") or node.field("name")
+    named = node.fields.get("type")
+    declarator = node.fields.get("declarator") or node.fields.get("name")
     if named and declarator and name_of(declarator):
         type_ = parse_type(named.text)
         if type_.name != name_of(declarator):

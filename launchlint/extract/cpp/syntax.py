@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 _MOST_NODES = 1_500_000
 _DEEPEST = 400
 _ERROR = 0xFFFF
-_NO_FIELDS: Mapping[str, Sequence[Node]] = MappingProxyType({})
+_NO_FIELDS: Mapping[str, Node] = MappingProxyType({})
 
 _BLANKED = re.compile(
     r"^[ \t]*(?:PLUGINLIB_\w+|NODELET_\w+|EIGEN_MAKE_ALIGNED_\w+|Q_(?:OBJECT|PROPERTY|ENUMS|INTERFACES|DECLARE\w*)|GZ_REGISTER_\w+"
@@ -59,15 +59,20 @@ _MOST_ERRORS = 200
 class Node:
     """One node: ``kind`` as the grammar calls it, its named ``children`` in order, ``fields`` by the grammar's names, ``line`` from 1.
 
-    Lines are counted, and what stands in the body of a function is converted, when they are asked for: most of it never is.
+    Of several nodes that the grammar calls alike, ``fields`` has the first one, and :meth:`every` has all.
+
+    Lines are counted, its source ``text`` is decoded, and what stands in the body of a function is converted when they are asked for: most
+    of it never is.
     """
 
-    __slots__ = ("_below", "_end", "_source", "_start", "children", "fields", "kind", "line")
+    __slots__ = ("_below", "_end", "_others", "_source", "_start", "children", "fields", "kind", "line", "text")
 
     children: Sequence[Node]
-    fields: Mapping[str, Sequence[Node]]
+    fields: Mapping[str, Node]
     line: int
+    text: str
     _below: tuple[TreeCursor, int]
+    _others: Sequence[tuple[str, Node]]
 
     def __init__(self, kind: str, source: bytes, start: int, end: int) -> None:
         self.kind = kind
@@ -79,9 +84,14 @@ class Node:
 
     def __getattr__(self, name: str) -> Any:
         # Asked for what has no value yet.
+        if name == "text":
+            self.text = self._source[self._start : self._end].decode("utf-8", "replace")
+            return self.text
         if name == "line":
             self.line = self._source.count(b"\n", 0, self._start) + 1
             return self.line
+        if name == "_others":
+            return ()
         if name in ("children", "fields"):
             cursor, depth = self._below
             del self._below
@@ -95,11 +105,6 @@ class Node:
         self._below = (cursor, depth)
         del self.children, self.fields
 
-    @property
-    def text(self) -> str:
-        """Its source text."""
-        return self._source[self._start : self._end].decode("utf-8", "replace")
-
     def until(self, inner: Node | None) -> str:
         """The source text before a node in it; all of it where there is none."""
         return self._source[self._start : self._end if inner is None else inner._start].decode("utf-8", "replace")
@@ -109,10 +114,10 @@ class Node:
         """The length of its source text in bytes."""
         return self._end - self._start
 
-    def field(self, name: str) -> Node | None:
-        """The first node that the grammar calls ``name`` in this one."""
-        found = self.fields.get(name)
-        return found[0] if found else None
+    def every(self, name: str) -> list[Node]:
+        """All nodes that the grammar calls ``name`` in this one."""
+        first = self.fields.get(name)
+        return [] if first is None else [first, *(each for called, each in self._others if called == name)]
 
     def child(self, *kinds: str) -> Node | None:
         """The first child of one of these kinds."""
@@ -187,8 +192,8 @@ def parse_expression(text: str) -> Node | None:
     source = b"auto x = " + text.encode("utf-8", "replace") + b";"
     root = _converted(_parser().parse(source), source)
     declaration = root.child("declaration")
-    declarator = declaration.field("declarator") if declaration else None
-    return declarator.field("value") if declarator else None
+    declarator = declaration.fields.get("declarator") if declaration else None
+    return declarator.fields.get("value") if declarator else None
 
 
 @lru_cache(maxsize=512)
@@ -197,7 +202,7 @@ def parse_statements(text: str) -> Node | None:
     source = b"void f() { " + text.encode("utf-8", "replace") + b"; }"
     root = _converted(_parser().parse(source), source)
     function = root.child("function_definition")
-    return function.field("body") if function else None
+    return function.fields.get("body") if function else None
 
 
 def _converted(tree: Tree, source: bytes) -> Node:
@@ -264,10 +269,14 @@ def _add(parent: Node, node: Node) -> None:
 
 
 def _name(parent: Node, name: str, node: Node) -> None:
-    if isinstance(parent.fields, dict):
-        parent.fields[name] = (*parent.fields.get(name, ()), node)
+    if not isinstance(parent.fields, dict):
+        parent.fields = {name: node}
+    elif name not in parent.fields:
+        parent.fields[name] = node
+    elif isinstance(parent._others, list):
+        parent._others.append((name, node))
     else:
-        parent.fields = {name: (node,)}
+        parent._others = [(name, node)]
 
 
 def _readable(source: bytes) -> bytes:

@@ -32,6 +32,7 @@ class Tables(NamedTuple):
         categories: members of a node handle that tell, and the category of what they make.
         bare: classes whose members tell something even where their constructor was not seen.
         words: words of functions that may have to do with names; ``silent_words`` are those of them that make no name by themselves.
+        qualified: functions that make names, and whose words mean nothing without the namespace in front: ``param::get``.
         spaces: how namespaces begin whose functions may be called without them.
         owners: of words that other libraries have, too: the namespaces in front of which they count (``rclcpp::Node``, not ``YAML::Node``).
         is_handle: whether a variable of a type is a node handle, or a node.
@@ -54,6 +55,7 @@ class Tables(NamedTuple):
     bare: frozenset[str]
     words: frozenset[str]
     silent_words: frozenset[str]
+    qualified: tuple[str, ...]
     spaces: tuple[str, ...]
     owners: Mapping[str, frozenset[str]]
     is_handle: Callable[[Type], bool]

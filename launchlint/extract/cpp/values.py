@@ -169,6 +169,8 @@ def _is_plain(value: Value) -> bool:
 
 def either(found: list[tuple[str, Value]]) -> Value:
     """One of several values; the same value twice is one, and what is no value gives way to one."""
+    if found and not isinstance(found[0][1], Either) and (len(found) == 1 or (len(found) == 2 and found[0][1] is found[1][1])):
+        return found[0][1]
     flat: list[tuple[str, Value]] = []
     for condition, value in found:
         for inner, choice in choices(value):

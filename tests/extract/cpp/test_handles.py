@@ -233,6 +233,12 @@ SEARCHES = {
     'ros::NodeHandle("a").searchParam("ids", found);': ("a/ids - 3", f"ids - 3 {FURTHER}", f"/ids - 3 {FURTHER}"),
     'ros::param::search("/a/b", "ids", found);': ("/a/b/ids - 3", f"/a/ids - 3 {FURTHER}", f"/ids - 3 {FURTHER}"),
     'ros::param::search("/ids", found);': ("/ids - 3",),
+    'std::string s; ros::param::param<std::string>("~s", s, "/a/b"); ros::NodeHandle(s).searchParam("ids", found);': (
+        '~s str 3 default="/a/b"',
+        "{param:~s|/a/b}/ids - 3",
+        f"{{any}}/ids - 3 {FURTHER}",
+        f"/ids - 3 {FURTHER}",
+    ),
 }
 
 

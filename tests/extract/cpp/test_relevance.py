@@ -9,6 +9,7 @@ import pytest
 
 from launchlint.extract.cpp import syntax
 from launchlint.extract.cpp.declarations import Declarations
+from launchlint.extract.cpp.machine import Machine
 from launchlint.extract.cpp.naming import Names
 from launchlint.extract.cpp.relevance import Relevance
 from launchlint.extract.cpp.ros.roscpp import ROSCPP
@@ -150,7 +151,7 @@ def test_lines_in_bodies_that_are_read_late(tmp_path: Path) -> None:
     source = f"{function}int main() {{ ros::NodeHandle n; g(n); }}\n"
     facts, _ = program(tmp_path, source)
     assert [spelled(fact) for fact in facts] == ["publishers x std_msgs/Bool 3 queue=1 if a"]
-    body = syntax.parse(source.encode()).children[0].field("body")
+    body = syntax.parse(source.encode()).children[0].fields.get("body")
     assert body is not None
     assert [(each.kind, each.line) for each in body.walk()][:3] == [("compound_statement", 1), ("if_statement", 2), ("condition_clause", 2)]
 
@@ -179,3 +180,61 @@ def test_functions_that_have_nothing_to_do_with_names_are_followed_for_a_while(t
     facts, doubts = program(tmp_path, source)
     assert [spelled(fact) for fact in facts] == [f"publishers after std_msgs/Bool {source.count(chr(10))} queue=1"]
     assert doubts == ()
+
+
+LONG = "\n".join(f"total = total * {number} + offset({number});" for number in range(90))
+"""Source that has nothing to do with names, and more of it than is followed where that is so."""
+
+CALLED = {
+    "a test": (f'TEST(Suite, long) {{ {LONG} ros::NodeHandle("~").advertise<A>("x", 1); }}', "publishers ~x - 90 queue=1"),
+    "a param by its full name": (
+        f'void read() {{ {LONG} int x; ros::param::get("~x", x); }}\nint main() {{ read(); }}',
+        "params ~x int 90",
+    ),
+    "a service by its full name": (
+        f'void read() {{ {LONG} ros::service::call("~x", y); }}\nint main() {{ read(); }}',
+        "clients ~x - 90",
+    ),
+    "a function that is given": (
+        (
+            f"void each(boost::function<void()> f) {{ {LONG[:1000].rpartition(chr(10))[0]}\nf(); }}\n"
+            'struct Maker { void operator()() { ros::NodeHandle("~").advertise<A>("x", 1); } };\nint main() { Maker make; each(make); }'
+        ),
+        "publishers ~x - 32 queue=1",
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", CALLED)
+def test_long_functions_that_make_names_are_followed(tmp_path: Path, kind: str) -> None:
+    source, expected = CALLED[kind]
+    facts, _ = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == [expected]
+
+
+TABLES_FILLED = """
+int main() {
+  int sum = 0;
+  for (int i = 0; i < 30; i++) table[i] = 97 * (i - 1) / 251;
+  for (int i = 0; i < 30; i++) sum += i;
+  ros::NodeHandle nh;
+  for (int i = 0; i < 3; i++) { if (i == 2) nh.advertise<A>("late", 1); }
+  std::vector<std::string> names;
+  for (int i = 0; i < 2; i++) names.push_back("cam" + std::to_string(i));
+  for (int i = 0; i < names.size(); i++) nh.advertise<A>(names[i], 1);
+}
+"""
+
+
+def test_turns_of_a_loop_that_tell_nothing_are_not_all_followed(tmp_path: Path) -> None:
+    facts, _ = program(tmp_path, TABLES_FILLED)
+    assert [(fact.name, fact.condition) for fact in facts] == [("cam0", ""), ("cam1", ""), ("late", "")]
+
+
+def test_a_table_costs_the_same_however_long_it_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    steps: list[int] = []
+    finish = Machine.finish
+    monkeypatch.setattr(Machine, "finish", lambda machine: (finish(machine), steps.append(machine.steps)))
+    for length in (6, 1_000_000):
+        program(tmp_path, f"int main() {{ for (int i = 0; i < {length}; i++) table[i] = 97 * (i - 1) / 251; }}")
+    assert steps[0] == steps[1]

@@ -117,7 +117,7 @@ def _spelled(asked: Call) -> str:
     """The type of a default that is made where it is given: ``std::vector<bool>{}``."""
     node = asked.arguments[1].node if len(asked.arguments) > 1 else None
     if node is not None and node.kind in ("compound_literal_expression", "call_expression"):
-        spelled = node.field("type") or node.field("function")
+        spelled = node.fields.get("type") or node.fields.get("function")
         return value_type(asked, parse_type(spelled.text)) if spelled is not None else ""
     return ""
 

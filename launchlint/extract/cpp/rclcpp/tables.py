@@ -58,6 +58,7 @@ RCLCPP = Tables(
     bare=frozenset(("message_filters::Subscriber", "image_transport::SubscriberFilter")),
     words=_WORDS | last_words(nodes.MAKERS, library.MAKERS, library.STANDINS, interface.MAKERS, MODELS, loading.MAKERS) - _EVERYWHERE,
     silent_words=_SILENT,
+    qualified=(),
     spaces=("rclcpp", "image_transport", "nav2"),
     owners={"Node": frozenset(("rclcpp",)), "Subscriber": frozenset(("message_filters",))},
     is_handle=_is_handle,

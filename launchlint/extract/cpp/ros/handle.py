@@ -173,10 +173,17 @@ def search_param(handle: Handle, asked: Call) -> Value:
 
 
 def _around(namespace: str) -> list[str]:
-    """The namespaces around that of a handle, the nearest first (``~`` lies in the node's, as its name says)."""
+    """The namespaces around that of a handle, the nearest first (``~`` lies in the node's, as its name says).
+
+    Those around a part that only a param knows are not known: they are one unknown namespace.
+    """
     found: list[str] = []
     while namespace not in ("", "/"):
-        outer, slash, _ = namespace.rpartition("/")
+        outer, slash, last = namespace.rpartition("/")
+        if "}" in last:
+            found.append(ANY)
+            namespace = namespace[: namespace.find("{")].rstrip("/")
+            continue
         namespace = outer if slash and outer else "/" if slash else ""
         found.append(namespace)
     return found if found[-1:] == ["/"] else [*found, "/"]

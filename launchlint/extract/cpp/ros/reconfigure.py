@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+from functools import lru_cache
 
 from launchlint.extract.cpp.naming import template
 from launchlint.extract.cpp.values import Handle, Value, choices
@@ -44,10 +45,15 @@ class Settings(NamedTuple):
 def read_settings(path: str) -> Settings:
     """The params that a .cfg file declares; the file is never run. Never raises."""
     try:
-        text = looking.read_bytes(path).decode("utf-8", "replace")
-        tree = ast.parse(text)
+        return _settings(looking.read_bytes(path).decode("utf-8", "replace"))
     except OSError as error:
         return Settings("", (), f"cannot be read: {error.strerror or error}")
+
+
+@lru_cache(maxsize=256)
+def _settings(text: str) -> Settings:
+    try:
+        tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         return Settings("", (), f"is no Python that can be parsed: {type(error).__name__}")
     reader = _Reader()

@@ -89,6 +89,7 @@ ROSCPP = Tables(
             "this_node"
         ).split()
     ),
+    qualified=("param::get", "param::getCached", "param::has", "param::search", "service::call"),
     spaces=("ros", "image_transport", "dynamic_reconfigure"),
     owners={"Model": frozenset(("urdf",))},  # not srdf::Model
     is_handle=_is_handle,
