@@ -30,7 +30,6 @@ from launchlint.extract.cpp.values import (
     Number,
     Text,
     Thing,
-    Unknown,
     Value,
     both,
     choices,
@@ -244,7 +243,7 @@ class Machine:
 
     def telling(self, run: Does[[], str]) -> tuple[str, bool]:
         """Follow what is reached for certain; and whether it makes names, or writes what names are made of."""
-        told = self._told()
+        told, since = self._told(), self.serial
         self.journals.append({})
         try:
             signal = run()
@@ -253,7 +252,7 @@ class Machine:
         if self.journals:
             for cell, value in before.items():
                 self.journals[-1].setdefault(cell, value)
-        return signal, told != self._told() or any(_may_tell(cell.value) for cell in before)
+        return signal, told != self._told() or any(_may_tell(cell.value, since) for cell in before)
 
     def _told(self) -> tuple[int, int, int]:
         """What has been told by now, in numbers: these grow with all that is."""
@@ -262,13 +261,13 @@ class Machine:
     def once_or_more(self, run: Does[[], str], condition: str) -> str:
         """Follow the body of a loop of which nobody knows how often it runs; ``condition`` is the text of what decides that."""
         earlier, self.facts = self.facts, {}
-        told = self._told()
+        told, since = self._told(), self.serial
         signal, before, after = self._turn(run)
         first, self.facts = self.facts, {}
         counted = [
             cell for cell, value in after.items() if isinstance(value, (Number, Items)) and isinstance(before[cell], (Number, Items))
         ]
-        tells = told != self._told() or any(_may_tell(each) for each in after.values() if not isinstance(each, Items))
+        tells = told != self._told() or any(_may_tell(each, since) for each in after.values())
         if counted and tells and self.loops < _MOST_LOOPS:
             # A second turn, in which what the first one counted or collected is not known.
             doubts = dict(self.doubts)
@@ -519,14 +518,15 @@ class Machine:
             self.doubts[Doubt(category, reason, path, line)] = None
 
 
-def _may_tell(value: Value) -> bool:
-    """Whether a value that a turn of a loop leaves behind may be part of a name, or make one: a number is that of this turn only."""
+def _may_tell(value: Value, since: int) -> bool:
+    """Whether a value that a turn of a loop leaves behind may be part of a name, or make one: a number is that of this turn only.
+
+    Of the objects only those may that were made ``since``; and of them those of the program, as others are told when they are made.
+    """
     for _, each in choices(value):
-        if isinstance(each, Items):
-            if not all(isinstance(item, (Number, Unknown)) for item in each.items):
+        for one in each.items if isinstance(each, Items) else (each,):
+            if isinstance(one, (Text, Callable, Closure)) or (isinstance(one, Thing) and one.declared is not None and one.serial > since):
                 return True
-        elif isinstance(each, (Text, Callable, Closure)):
-            return True
     return False
 
 

@@ -231,6 +231,25 @@ def test_turns_of_a_loop_that_tell_nothing_are_not_all_followed(tmp_path: Path) 
     assert [(fact.name, fact.condition) for fact in facts] == [("cam0", ""), ("cam1", ""), ("late", "")]
 
 
+def test_objects_that_a_loop_makes_are_of_any_turn(tmp_path: Path) -> None:
+    source = """
+        struct Camera {
+          Camera(int number) : number_(number) {}
+          void start() { nh_.advertise<A>("cam" + std::to_string(number_), 1); }
+          int number_;
+          ros::NodeHandle nh_;
+        };
+        int main() {
+          Camera* last;
+          int number = 0;
+          while (more()) { last = new Camera(number); number++; }
+          last->start();
+        }
+        """
+    facts, _ = program(tmp_path, source)
+    assert "cam{any}" in [fact.name for fact in facts]
+
+
 def test_a_table_costs_the_same_however_long_it_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     steps: list[int] = []
     finish = Machine.finish

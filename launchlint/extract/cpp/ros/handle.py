@@ -175,12 +175,12 @@ def search_param(handle: Handle, asked: Call) -> Value:
 def _around(namespace: str) -> list[str]:
     """The namespaces around that of a handle, the nearest first (``~`` lies in the node's, as its name says).
 
-    Those around a part that only a param knows are not known: they are one unknown namespace.
+    Those around a param whose default value is a name with several parts are not known: they are one unknown namespace.
     """
     found: list[str] = []
     while namespace not in ("", "/"):
         outer, slash, last = namespace.rpartition("/")
-        if "}" in last:
+        if last.count("}") > last.count("{"):  # it is cut amid a default value
             found.append(ANY)
             namespace = namespace[: namespace.find("{")].rstrip("/")
             continue
