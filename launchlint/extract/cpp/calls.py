@@ -12,10 +12,11 @@ from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import UNKNOWN_SPACE
 from launchlint.extract.cpp.ros import loading
 from launchlint.extract.cpp.spelled_type import Type, parse_type
-from launchlint.extract.cpp.syntax import Node, parse_statements
+from launchlint.extract.cpp.syntax import Node, parse_statements, shortened
 from launchlint.extract.cpp.values import (
     NULL,
     UNKNOWN,
+    Argument,
     Callable,
     Cell,
     Closure,
@@ -37,7 +38,7 @@ from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.extract.cpp.machine import Argument, Machine
+    from launchlint.extract.cpp.machine import Machine
 
 _LONGEST_MACRO = 4_000
 _MOST_DISPATCHED = 4
@@ -417,8 +418,6 @@ def _on(asked: Call, value: Value, cell: Cell | None) -> Value:
 
 
 def _on_unknown(asked: Call, cell: Cell | None) -> Value:
-    from launchlint.extract.cpp.machine import shortened
-
     machine, frame = asked.machine, asked.frame
     machine.unseen.blind.setdefault(asked.name)
     category = machine.tables.categories.get(asked.name)

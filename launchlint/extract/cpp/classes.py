@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from launchlint.extract.cpp import overloads
 from launchlint.extract.cpp.declarations import Class, Field, Function, joined
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, MAPPINGS, POINTERS, TEXTS, UNTYPED, Type
+from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, MAPPINGS, TEXTS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import (
     MOST_ITEMS,
     NULL,
     UNKNOWN,
+    Argument,
     Cell,
     Either,
     Handle,
@@ -27,10 +28,9 @@ from launchlint.extract.cpp.values import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.extract.cpp.machine import Argument, Machine
+    from launchlint.extract.cpp.machine import Machine
 
 _MOST_SUBCLASSES = 8
-_MOST_ALIASES = 8
 _OF_ROS = (
     "ros::",
     "tf::",
@@ -56,7 +56,6 @@ LAZY = frozenset(("ConnectionBasedNodelet", "DiagnosticNodelet"))
 
 def arguments(machine: Machine, node: Node | None, frame: Frame) -> list[Argument]:
     """The arguments of a call, evaluated."""
-    from launchlint.extract.cpp.machine import Argument
     from launchlint.extract.cpp.places import cell_of
 
     found: list[Argument] = []
@@ -315,24 +314,10 @@ def default(machine: Machine, type_: Type, node: Node, frame: Frame) -> Value:
 
 def is_pointer_type(machine: Machine, type_: Type, frame: Frame) -> bool:
     """Whether it is a smart pointer, or another name of one."""
-    if type_.name in POINTERS or type_.name.endswith(("::Ptr", "::ConstPtr")) or type_.member in ("Ptr", "ConstPtr"):
+    meant = machine.names.behind_aliases(type_, frame.scope)
+    if meant is None:
         return True
-    current, scope = type_, frame.scope
-    for _ in range(_MOST_ALIASES):
-        found = next(
-            (
-                (joined(each, current.name))
-                for each in machine.names.scopes(scope)
-                if joined(each, current.name) in machine.declarations.aliases
-            ),
-            "",
-        )
-        if not found:
-            break
-        current, scope = machine.declarations.aliases[found]
-        if current.name in POINTERS or current.name.endswith(("::Ptr", "::ConstPtr")) or current.member in ("Ptr", "ConstPtr"):
-            return True
-    return current.name.endswith("Ptr") and machine.names.declared(machine.names.resolve(current, frame)) is None
+    return meant.name.endswith("Ptr") and machine.names.declared(machine.names.resolve(meant, frame)) is None
 
 
 def is_list(machine: Machine, type_: Type, frame: Frame) -> bool:

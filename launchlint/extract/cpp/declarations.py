@@ -127,6 +127,8 @@ class Declarations:
         self.alias_templates: dict[str, tuple[str, ...]] = {}
         self.namespaces: dict[str, str] = {}
         self.used: dict[str, None] = {}
+        self.using_directives = 0
+        """How often something was added to what names are looked up in, also by a function that is followed."""
         self.macros: dict[str, str] = {}
         self.calls: dict[str, tuple[tuple[str, ...], str]] = {}
         self.constants: dict[str, tuple[Node | None, int]] = {}
@@ -282,6 +284,7 @@ class Declarations:
         if named is None:
             return
         text = named.text.removeprefix("::")
+        self.using_directives += 1
         if text.rpartition("::")[2] == text.rpartition("::")[0].rpartition("::")[2]:
             return  # the constructors of a base class are inherited
         if "namespace" in node.text.split(named.text)[0].split():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable as Does
+
 from launchlint.extract.cpp import calls, classes
 from launchlint.extract.cpp.declarations import joined
 from launchlint.extract.cpp.frame import Frame
@@ -15,6 +17,7 @@ from launchlint.extract.cpp.values import (
     MOST_ITEMS,
     NULL,
     UNKNOWN,
+    Argument,
     Callable,
     Cell,
     Closure,
@@ -34,101 +37,77 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
 _MAPPINGS = ("map", "unordered_map", "M_string")
-_ANY = frozenset(("ERROR", "expression_statement", "co_await_expression", "delete_expression", "user_defined_literal", "throw_statement"))
-"""What has no value that a name is made of, and holds expressions that are evaluated."""
-_PACKS = frozenset(("fold_expression", "parameter_pack_expansion"))
-_WRAPPED = ("parenthesized_expression", "condition_clause")
 
 
 def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
     """The value of an expression."""
-    kind = node.kind
-    if kind in ("identifier", "field_expression", "qualified_identifier", "type_identifier"):
-        return _named(machine, node, frame)
-    if kind == "call_expression":
-        return calls.call(machine, node, frame)
-    if kind in ("string_literal", "raw_string_literal"):
-        return literal(node)
-    if kind == "concatenated_string":
-        text: Value = Text("")
-        for each in node.children:
-            text = together(text, machine.evaluate(each, frame))
-        return text
-    if kind == "number_literal":
-        return number(node.text)
-    if kind in ("true", "false"):
-        return Number(kind == "true")
-    if kind in ("null", "nullptr"):
-        return NULL
-    if kind == "char_literal":
-        return Text(braced(unescaped(node.text[1:-1])))
-    if kind in _WRAPPED:
-        inner = node.fields.get("value") or (node.children[0] if node.children else None)
-        return machine.evaluate(inner, frame)
-    if kind == "this":
-        return frame.this or UNKNOWN
-    if kind == "binary_expression":
-        return _binary(machine, node, frame)
-    if kind == "assignment_expression":
-        return _assignment(machine, node, frame)
-    if kind == "conditional_expression":
-        return _conditional(machine, node, frame)
-    if kind == "unary_expression":
-        return _unary(machine, node, frame)
-    if kind == "pointer_expression":
-        return _pointer(machine, node, frame)
-    if kind == "subscript_expression":
-        return _subscript(machine, node, frame)
-    if kind == "template_function":
-        named = node.fields.get("name")
-        functions = calls.functions(machine, named.text, frame) if named is not None else []
-        types = tuple(machine.names.resolve(each, frame) for each in calls.template_arguments(node))
-        return Callable(tuple(functions), types=types) if functions else UNKNOWN
-    if kind == "lambda_expression":
-        return machine.unseen.taken(Closure(node, frame), frame)
-    if kind == "new_expression":
-        type_, given = node.fields.get("type"), node.fields.get("arguments")
-        if type_ is None:
-            return UNKNOWN
-        return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, given, frame), node, frame)
-    if kind == "compound_literal_expression":
-        type_, listed = node.fields.get("type"), node.fields.get("value")
-        if type_ is None:
-            return UNKNOWN
-        if listed is not None and listed.children and classes.is_list(machine, parse_type(type_.text), frame):
-            return machine.evaluate(listed, frame)
-        return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, listed, frame), node, frame)
-    if kind == "cast_expression":
-        return _cast(machine, node, frame)
-    if kind == "initializer_list":
-        return Items(tuple(machine.evaluate(each, frame) for each in node.children[:200]))
-    if kind == "comma_expression":
-        value: Value = UNKNOWN
-        for each in node.children:
-            value = machine.evaluate(each, frame)
-        return value
-    if kind == "update_expression":
-        return _update(machine, node, frame)
-    if kind in _ANY:
-        for each in node.children:
-            machine.evaluate(each, frame)
-    elif kind in _PACKS:
-        _pack(machine, node, frame)
+    does = _BY_KIND.get(node.kind)
+    return UNKNOWN if does is None else does(machine, node, frame)
+
+
+def _concatenated(machine: Machine, node: Node, frame: Frame) -> Value:
+    text: Value = Text("")
+    for each in node.children:
+        text = together(text, machine.evaluate(each, frame))
+    return text
+
+
+def _wrapped(machine: Machine, node: Node, frame: Frame) -> Value:
+    return machine.evaluate(node.fields.get("value") or (node.children[0] if node.children else None), frame)
+
+
+def _template_function(machine: Machine, node: Node, frame: Frame) -> Value:
+    named = node.fields.get("name")
+    functions = calls.functions(machine, named.text, frame) if named is not None else []
+    types = tuple(machine.names.resolve(each, frame) for each in calls.template_arguments(node))
+    return Callable(tuple(functions), types=types) if functions else UNKNOWN
+
+
+def _lambda(machine: Machine, node: Node, frame: Frame) -> Value:
+    return machine.unseen.taken(Closure(node, frame), frame)
+
+
+def _new(machine: Machine, node: Node, frame: Frame) -> Value:
+    type_, given = node.fields.get("type"), node.fields.get("arguments")
+    if type_ is None:
+        return UNKNOWN
+    return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, given, frame), node, frame)
+
+
+def _compound_literal(machine: Machine, node: Node, frame: Frame) -> Value:
+    type_, listed = node.fields.get("type"), node.fields.get("value")
+    if type_ is None:
+        return UNKNOWN
+    if listed is not None and listed.children and classes.is_list(machine, parse_type(type_.text), frame):
+        return machine.evaluate(listed, frame)
+    return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, listed, frame), node, frame)
+
+
+def _sequence(machine: Machine, node: Node, frame: Frame) -> Value:
+    value: Value = UNKNOWN
+    for each in node.children:
+        value = machine.evaluate(each, frame)
+    return value
+
+
+def _each(machine: Machine, node: Node, frame: Frame) -> Value:
+    """What has no value that a name is made of, and holds expressions that are evaluated."""
+    for each in node.children:
+        machine.evaluate(each, frame)
     return UNKNOWN
 
 
-def _pack(machine: Machine, node: Node, frame: Frame) -> None:
+def _pack(machine: Machine, node: Node, frame: Frame) -> Value:
     """``(make<T>(), ...)``, ``make(arguments)...``: done once, and where that makes names, as often as nobody knows."""
     before = set(machine.facts)
     for each in node.children:
         machine.evaluate(each, frame)
     if not before.issuperset(machine.facts):
         machine.doubt_all("names are made for each of a pack of arguments", frame.path, node.line)
+    return UNKNOWN
 
 
 def _named(machine: Machine, node: Node, frame: Frame) -> Value:
-    if node.kind == "field_expression":
-        return of_member(machine, node, frame)
     cell = cell_of(machine, node, frame)
     if cell is not None:
         return machine.read(cell)
@@ -170,8 +149,6 @@ def constant(machine: Machine, name: str, frame: Frame) -> Value:
 
 
 def _binary(machine: Machine, node: Node, frame: Frame) -> Value:
-    from launchlint.extract.cpp.machine import Argument
-
     # a + b + c + … leans to the left: its left side is gone down in a loop.
     spine: list[Node] = []
     inner: Node | None = node
@@ -338,3 +315,38 @@ def _update(machine: Machine, node: Node, frame: Frame) -> Value:
     after: Value = Number(before.value + step) if isinstance(before, Number) and not isinstance(before.value, bool) else UNKNOWN
     machine.write(cell, after)
     return after if node.text.startswith(("++", "--")) else before
+
+
+_BY_KIND: dict[str, Does[[Machine, Node, Frame], Value]] = {
+    **dict.fromkeys(("identifier", "qualified_identifier", "type_identifier"), _named),
+    "field_expression": of_member,
+    "call_expression": calls.call,
+    **dict.fromkeys(("string_literal", "raw_string_literal"), lambda machine, node, frame: literal(node)),
+    "concatenated_string": _concatenated,
+    "number_literal": lambda machine, node, frame: number(node.text),
+    "true": lambda machine, node, frame: Number(True),
+    "false": lambda machine, node, frame: Number(False),
+    **dict.fromkeys(("null", "nullptr"), lambda machine, node, frame: NULL),
+    "char_literal": lambda machine, node, frame: Text(braced(unescaped(node.text[1:-1]))),
+    **dict.fromkeys(("parenthesized_expression", "condition_clause"), _wrapped),
+    "this": lambda machine, node, frame: frame.this or UNKNOWN,
+    "binary_expression": _binary,
+    "assignment_expression": _assignment,
+    "conditional_expression": _conditional,
+    "unary_expression": _unary,
+    "pointer_expression": _pointer,
+    "subscript_expression": _subscript,
+    "template_function": _template_function,
+    "lambda_expression": _lambda,
+    "new_expression": _new,
+    "compound_literal_expression": _compound_literal,
+    "cast_expression": _cast,
+    "initializer_list": lambda machine, node, frame: Items(tuple(machine.evaluate(each, frame) for each in node.children[:200])),
+    "comma_expression": _sequence,
+    "update_expression": _update,
+    **dict.fromkeys(
+        ("ERROR", "expression_statement", "co_await_expression", "delete_expression", "user_defined_literal", "throw_statement"), _each
+    ),
+    **dict.fromkeys(("fold_expression", "parameter_pack_expansion"), _pack),
+}
+"""What evaluates the expressions that the grammar calls so; others have no value that a name is made of."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable as Does
 from collections.abc import Hashable, Sequence
-from functools import lru_cache
 
 from launchlint.extract.cpp import classes, expressions, overloads, places, statements
 from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
@@ -17,11 +16,12 @@ from launchlint.extract.cpp.forgetting import forget
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Instance, Names, finished, is_anchored
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
-from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.syntax import LONGEST_CONDITION, Node, shortened
 from launchlint.extract.cpp.tables import Tables
 from launchlint.extract.cpp.unseen import Unseen
 from launchlint.extract.cpp.values import (
     UNKNOWN,
+    Argument,
     Callable,
     Cell,
     Closure,
@@ -51,21 +51,12 @@ _MOST_LOOPS = 1
 _MOST_ROUNDS = 4
 _MOST_NUMBERED = 10
 _MOST_STEPS_OF_NUMBERED = 4_000
-_LONGEST_CONDITION = 160
 _LARGEST_IRRELEVANT = 1_500
 _LARGEST_PLAIN = 150
 _MOST_STEPS_OF_IRRELEVANT = 3_000
 """Steps that one program is followed through one function that has nothing to do with names, and what that calls."""
 _PLAIN = DOUBLES | INTEGERS | {"void"}
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
-
-
-class Argument(NamedTuple):
-    """An argument of a call: its value, the variable it stands in, and its source."""
-
-    value: Value
-    cell: Cell | None = None
-    node: Node | None = None
 
 
 class Pending(NamedTuple):
@@ -304,7 +295,7 @@ class Machine:
         """
         for key, fact in first.items():
             both_ = both(fact.condition, condition)
-            self.facts[key] = fact._replace(condition=both_ if len(both_) <= 3 * _LONGEST_CONDITION else fact.condition)
+            self.facts[key] = fact._replace(condition=both_ if len(both_) <= 3 * LONGEST_CONDITION else fact.condition)
         self.conditions.append(condition)
         state = after
         for _ in range(_MOST_NUMBERED - 1):
@@ -493,8 +484,8 @@ class Machine:
         text = ""
         for each in dict.fromkeys(conditions):
             text = both(text, each)
-        if len(text) > 3 * _LONGEST_CONDITION:
-            text = text[: 3 * _LONGEST_CONDITION - 1] + "…"
+        if len(text) > 3 * LONGEST_CONDITION:
+            text = text[: 3 * LONGEST_CONDITION - 1] + "…"
         if len(self.facts) < _MOST_FACTS:
             self.note(Fact(category, name, frame.path, node.line, condition=text, when=self.when, exists=self.exists, **more))
 
@@ -533,10 +524,3 @@ def _may_tell(value: Value, since: int) -> bool:
 def _is_loose(name: str) -> bool:
     """Whether what is known of a name does not say how it begins."""
     return ANY in name and not is_anchored(name)
-
-
-@lru_cache(maxsize=4096)
-def shortened(text: str, longest: int = _LONGEST_CONDITION) -> str:
-    """Source text on one line, and not too long."""
-    plain = " ".join("".join(char if char.isprintable() else " " for char in text[: longest * 4]).split())
-    return plain if len(plain) <= longest else plain[: longest - 1] + "…"

@@ -13,6 +13,7 @@ from launchlint.extract.cpp.values import Either, Number, Text, Value, choices, 
 from launchlint.named_tuple import NamedTuple
 
 _MOST_STEPS = 24
+_MOST_ALIASES = 9
 _DEEPEST = 4
 _POINTER_ENDS = ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "UniquePtr", "ConstUniquePtr", "WeakPtr", "const_ptr", "Type", "WPtr")
 _PARTS_OF_SERVICE = ("Request", "Response", "RequestType", "ResponseType")
@@ -58,27 +59,28 @@ class Names:
         self._derived: dict[str, list[Class]] = {}
         self._scopes: dict[str, tuple[str, ...]] = {}
         self._resolved: dict[tuple[Type, str, int], tuple[Type, frozenset[str]]] = {}
-        self._known = (0, 0)
+        self._meant: dict[tuple[Type, str], Type | None] = {}
+        self._known = -1
 
     def chain(self, declared: Class) -> list[Class]:
         """A class and its bases, nearest first."""
-        self._refresh()
+        if self._known != self.declarations.using_directives:
+            self._refresh()
         known = self._chains.get(declared)
         if known is None:
             known = self._chains[declared] = [declared, *self.bases(declared.name)]
         return known
 
     def _refresh(self) -> None:
-        """Forget what was looked up where a using directive in a function has added to what can be found."""
-        known = (len(self.declarations.used), len(self.declarations.aliases))
-        if known != self._known:
-            self._known = known
-            for each in (self._bases, self._chains, self._derived, self._scopes, self._resolved):
-                each.clear()
+        """Forget what was looked up where a using directive in a function may have added to what can be found."""
+        self._known = self.declarations.using_directives
+        for each in (self._bases, self._chains, self._derived, self._scopes, self._resolved, self._meant):
+            each.clear()
 
     def scopes(self, scope: str) -> tuple[str, ...]:
         """``scope`` and those around it, then the namespaces that are used; a class's base classes after the class."""
-        self._refresh()
+        if self._known != self.declarations.using_directives:
+            self._refresh()
         if scope in self._scopes:
             return self._scopes[scope]
         found: dict[str, None] = {}
@@ -95,7 +97,8 @@ class Names:
 
     def derived(self, base: Class) -> list[Class]:
         """The classes that are derived from one, in the order of the sources."""
-        self._refresh()
+        if self._known != self.declarations.using_directives:
+            self._refresh()
         if base.name not in self._derived:
             others = (each for each in self.declarations.classes.values() if each is not base)
             self._derived[base.name] = [other for other in others if any(each is base for each in self.bases(other.name))]
@@ -103,7 +106,8 @@ class Names:
 
     def bases(self, name: str) -> list[Class]:
         """The base classes of a class, as far as they are declared, nearest first."""
-        self._refresh()
+        if self._known != self.declarations.using_directives:
+            self._refresh()
         if name in self._bases:
             return self._bases[name]
         found: list[Class] = []
@@ -140,7 +144,8 @@ class Names:
         give another meaning.
         """
         start = frame.scope if scope is None else scope
-        self._refresh()
+        if self._known != self.declarations.using_directives:
+            self._refresh()
         key = (type_, start, depth)
         known = self._resolved.get(key)
         if known is None:
@@ -153,6 +158,27 @@ class Names:
         if (frame.aliases or frame.bindings or frame.outer is not None) and any(frame.alias(each) is not None for each in on_the_way):
             return self._resolve(type_, frame, start, depth, set())
         return found
+
+    def behind_aliases(self, type_: Type, scope: str) -> Type | None:
+        """What a type is another name of, by the aliases of the program alone; None where that is a smart pointer."""
+        if self._known != self.declarations.using_directives:
+            self._refresh()
+        key = (type_, scope)
+        if key not in self._meant:
+            self._meant[key] = self._behind_aliases(type_, scope)
+        return self._meant[key]
+
+    def _behind_aliases(self, type_: Type, scope: str) -> Type | None:
+        aliases = self.declarations.aliases
+        for _ in range(_MOST_ALIASES):
+            if type_.name in POINTERS or type_.name.endswith(("::Ptr", "::ConstPtr")) or type_.member in ("Ptr", "ConstPtr"):
+                return None
+            name = type_.name
+            found = next((full for each in self.scopes(scope) if (full := joined(each, name)) in aliases), "")
+            if not found:
+                break
+            type_, scope = aliases[found]
+        return type_
 
     def _resolve(self, type_: Type, frame: Frame, scope: str, depth: int, looked: set[str]) -> Type:
         start = scope

@@ -5,12 +5,12 @@ from __future__ import annotations
 from launchlint.extract.cpp import classes
 from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.naming import UNKNOWN_SPACE
-from launchlint.extract.cpp.values import UNKNOWN, Handle, Thing, Value
+from launchlint.extract.cpp.values import UNKNOWN, Argument, Handle, Thing, Value
 from launchlint.extract.fact import Fact
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.extract.cpp.machine import Argument, Machine
+    from launchlint.extract.cpp.machine import Machine
 
 _LAZY_PARAMS: tuple[tuple[str, bool | float | None, str], ...] = (
     ("~lazy", True, "bool"),
@@ -63,8 +63,6 @@ def _lazy_params(machine: Machine, declared: Class, function: Function) -> None:
 
 def _given(function: Function) -> list[Argument]:
     """What a framework gives to an init function: node handles, the second one private; the rest is not known."""
-    from launchlint.extract.cpp.machine import Argument
-
     handles: list[Value] = [Handle(UNKNOWN_SPACE), Handle(UNKNOWN_SPACE)]
     given: list[Argument] = []
     for parameter in function.parameters:

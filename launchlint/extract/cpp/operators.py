@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from launchlint.extract.cpp.naming import braced, is_whole, template, together
 from launchlint.extract.cpp.syntax import Node
@@ -22,7 +23,11 @@ def literal(node: Node) -> Value:
     if node.kind == "raw_string_literal":
         content = node.child("raw_string_content")
         return Text(braced(content.text if content else "")[:LONGEST_TEXT])
-    text = node.text
+    return _literal(node.text)
+
+
+@lru_cache(maxsize=4096)
+def _literal(text: str) -> Text:
     return Text(braced(unescaped(text[text.find('"') + 1 : text.rfind('"')]))[:LONGEST_TEXT])
 
 
@@ -31,6 +36,7 @@ def unescaped(text: str) -> str:
     return re.sub(r"\\(.)", lambda match: _ESCAPES.get(match[1], match[1]), text) if "\\" in text else text
 
 
+@lru_cache(maxsize=2048)
 def number(text: str) -> Value:
     """The value of a number literal."""
     plain_text = text.replace("'", "").rstrip("fFlLuU") if not text.lower().startswith("0x") else text.rstrip("lLuU")

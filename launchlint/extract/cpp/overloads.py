@@ -9,11 +9,11 @@ from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.relevance import Relevance
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, POINTERS, TEXTS, Type
 from launchlint.extract.cpp.syntax import Node
-from launchlint.extract.cpp.values import UNKNOWN, Callable, Closure, Handle, Number, Text, Thing, Value, choices
+from launchlint.extract.cpp.values import UNKNOWN, Argument, Callable, Closure, Handle, Number, Text, Thing, Value, choices
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.extract.cpp.machine import Argument, Machine
+    from launchlint.extract.cpp.machine import Machine
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _ANY_TYPE = 2

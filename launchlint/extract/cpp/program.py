@@ -9,7 +9,7 @@ from launchlint.extract.cpp import nodelet, unit_tests
 from launchlint.extract.cpp.declarations import Declarations
 from launchlint.extract.cpp.files import File, Trees, read_files
 from launchlint.extract.cpp.foreign import Foreign
-from launchlint.extract.cpp.machine import Argument, Machine
+from launchlint.extract.cpp.machine import Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.rclcpp import component
 from launchlint.extract.cpp.rclcpp.generated import with_classes
@@ -17,7 +17,7 @@ from launchlint.extract.cpp.rclcpp.running import doubt_nodes
 from launchlint.extract.cpp.rclcpp.tables import RCLCPP
 from launchlint.extract.cpp.ros.roscpp import ROSCPP
 from launchlint.extract.cpp.spelled_type import Type
-from launchlint.extract.cpp.values import UNKNOWN, Thing
+from launchlint.extract.cpp.values import UNKNOWN, Argument, Thing
 from launchlint.extract.fact import Doubt, Fact, Made, Plugin, key_of
 from launchlint.extract.template import Template
 

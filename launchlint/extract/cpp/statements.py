@@ -8,7 +8,7 @@ from launchlint.extract.cpp import classes, places
 from launchlint.extract.cpp.declarators import function_declarator, is_pointer, name_of
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import TEXTS, UNTYPED, Type, parse_type
-from launchlint.extract.cpp.syntax import Node, parse_expression
+from launchlint.extract.cpp.syntax import Node, parse_expression, shortened
 from launchlint.extract.cpp.values import UNKNOWN, Cell, Items, Null, Number, Text, Unknown, Value, either
 
 TYPE_CHECKING = False
@@ -81,7 +81,12 @@ def execute(machine: Machine, node: Node, frame: Frame) -> str:
 def sequence(machine: Machine, nodes: Sequence[Node], frame: Frame) -> str:
     """Statements one after the other."""
     for position, node in enumerate(nodes):
-        if _is_torn(node) and position + 1 < len(nodes) and _declare_torn(machine, node, nodes[position + 1], frame):
+        if (
+            node.kind == "expression_statement"
+            and _is_torn(node)
+            and position + 1 < len(nodes)
+            and _declare_torn(machine, node, nodes[position + 1], frame)
+        ):
             continue
         signal = machine.execute(node, frame)
         if signal:
@@ -91,7 +96,7 @@ def sequence(machine: Machine, nodes: Sequence[Node], frame: Frame) -> str:
 
 def _is_torn(node: Node) -> bool:
     """Whether it is the type of a declaration that the grammar took for a statement of its own: ``ns::Type`` without a semicolon."""
-    return node.kind == "expression_statement" and len(node.children) == 1 and node.children[0].size == node.size
+    return len(node.children) == 1 and node.children[0].size == node.size
 
 
 def _declare_torn(machine: Machine, named: Node, rest: Node, frame: Frame) -> bool:
@@ -107,8 +112,9 @@ def _declare_torn(machine: Machine, named: Node, rest: Node, frame: Frame) -> bo
 
 
 def _ends_program(node: Node) -> bool:
-    call = node.child("call_expression")
-    named = call.fields.get("function") if call else None
+    if not node.children or node.children[0].kind != "call_expression":
+        return False
+    named = node.children[0].fields.get("function")
     return named is not None and named.text in ("exit", "std::exit", "::exit", "abort", "std::abort", "_exit", "usage_exit")
 
 
@@ -205,8 +211,6 @@ def _is_type(machine: Machine, named: Node, frame: Frame) -> bool:
 
 def condition_text(node: Node | None) -> str:
     """The source of a condition, without the parentheses around it."""
-    from launchlint.extract.cpp.machine import shortened
-
     if node is None:
         return ""
     text = node.text.strip()
@@ -340,8 +344,6 @@ def after_loop(before: Value, after: Value) -> Value:
 
 
 def _switch(machine: Machine, node: Node, frame: Frame) -> str:
-    from launchlint.extract.cpp.machine import shortened
-
     condition, body = node.fields.get("condition"), node.fields.get("body")
     text = condition_text(condition)
     subject = condition.fields.get("value") if condition and condition.kind == "condition_clause" else condition
@@ -413,8 +415,6 @@ def _try(machine: Machine, node: Node, frame: Frame) -> str:
 
 
 def _preprocessor(machine: Machine, node: Node, frame: Frame) -> str:
-    from launchlint.extract.cpp.machine import shortened
-
     condition = node.fields.get("condition") or node.fields.get("name")
     alternative = node.fields.get("alternative")
     text = shortened(condition.text) if condition else ""

@@ -54,6 +54,8 @@ _NEVER = re.compile(r"[ \t]*#[ \t]*if[ \t]+0\b")
 _LONGEST_CONDITIONAL = 200
 _MOST_ENDLESS = 20
 _MOST_ERRORS = 200
+LONGEST_CONDITION = 160
+"""Characters of one condition."""
 
 
 class Node:
@@ -172,6 +174,13 @@ def parse(source: bytes) -> Root:
     _note_errors(tree, root)
     _convert(tree.walk(), root, 0)
     return root
+
+
+@lru_cache(maxsize=4096)
+def shortened(text: str, longest: int = LONGEST_CONDITION) -> str:
+    """Source text on one line, and not too long."""
+    plain = " ".join("".join(char if char.isprintable() else " " for char in text[: longest * 4]).split())
+    return plain if len(plain) <= longest else plain[: longest - 1] + "…"
 
 
 def _note_errors(tree: Tree, root: Root) -> None:

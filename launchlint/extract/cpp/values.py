@@ -140,6 +140,14 @@ class Thing:
 Value = Unknown | Null | Text | Number | Handle | Items | Callable | Closure | Either | Thing
 
 
+class Argument(NamedTuple):
+    """An argument of a call: its value, the variable it stands in, and its source."""
+
+    value: Value
+    cell: Cell | None = None
+    node: Node | None = None
+
+
 def node_of(value: Value) -> Handle | None:
     """The node handle, or the node of ROS 2, that a value is; None where it is neither."""
     if isinstance(value, Thing):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.extract.cpp import classes
-from launchlint.extract.cpp.values import UNKNOWN, Thing, node_of
+from launchlint.extract.cpp.values import UNKNOWN, Argument, Thing, node_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,8 +21,6 @@ _STEPS = (
 
 def follow(machine: Machine, thing: Thing) -> None:
     """Follow the transitions of a lifecycle node, in the order in which they come."""
-    from launchlint.extract.cpp.machine import Argument
-
     handle = node_of(thing)
     known = None if handle is None else machine.nodes.get(handle.node or "")
     if known is None or not known.lifecycle:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable as Does
 
+from launchlint.extract.cpp.syntax import shortened
 from launchlint.extract.cpp.values import UNKNOWN, Null, Thing, Value, choices, node_of
 from launchlint.extract.fact import Doubt
 
@@ -30,8 +31,6 @@ def _begin(asked: Call) -> Value:
 
 def _spin(asked: Call) -> Value:
     """``rclcpp::spin(node)``, ``executor.add_node(node)``: a node of which nothing is known has names of its own."""
-    from launchlint.extract.cpp.machine import shortened
-
     for _, each in choices(asked.value(0)) if asked.arguments else ():
         followed = isinstance(each, Thing) and each.declared is not None  # its base class may be elsewhere, which is said there
         if node_of(each) is None and not isinstance(each, Null) and not followed:

@@ -9,13 +9,13 @@ from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.ros.models import modelled
 from launchlint.extract.cpp.spelled_type import POINTERS, Type
 from launchlint.extract.cpp.syntax import Node
-from launchlint.extract.cpp.values import UNKNOWN, Callable, Cell, Closure, Handle, Number, Text, Thing, Value, choices, node_of
+from launchlint.extract.cpp.values import UNKNOWN, Argument, Callable, Cell, Closure, Handle, Number, Text, Thing, Value, choices, node_of
 from launchlint.extract.fact import ELSEWHERE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
-    from launchlint.extract.cpp.machine import Argument, Machine
+    from launchlint.extract.cpp.machine import Machine
 
 
 def known_name(machine: Machine, type_: Type) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from launchlint.extract.cpp import classes
 from launchlint.extract.cpp.spelled_type import Type
-from launchlint.extract.cpp.values import UNKNOWN, Handle, Text, Thing, Value
+from launchlint.extract.cpp.values import UNKNOWN, Argument, Handle, Text, Thing, Value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,8 +16,6 @@ _STEPS_OF_DRIVER = ("doOpen", "doStart", "doStop", "doClose", "config_update")
 
 def main(asked: Call) -> Value:
     """``driver_base::main<Node>(argc, argv, name)``: the node is made with a node handle, and its driver opened and started."""
-    from launchlint.extract.cpp.machine import Argument
-
     machine = asked.machine
     node = classes.construct(machine, asked.types[0], [Argument(Handle(""))], asked.node, asked.frame) if asked.types else UNKNOWN
     if not isinstance(node, Thing) or node.declared is None:
@@ -31,8 +29,6 @@ def main(asked: Call) -> Value:
 
 
 def _run(asked: Call, thing: Thing, names: tuple[str, ...]) -> None:
-    from launchlint.extract.cpp.machine import Argument
-
     for name in names:
         for function in classes.methods(asked.machine, thing, name):
             asked.machine.call(function, thing, [Argument(UNKNOWN) for _ in function.parameters])
@@ -40,7 +36,6 @@ def _run(asked: Call, thing: Thing, names: tuple[str, ...]) -> None:
 
 def node(asked: Call) -> Value:
     """``driver_base::DriverNode<Driver>(handle)``: diagnostics, a self test, dynamic_reconfigure with ``Driver::Config``."""
-    from launchlint.extract.cpp.machine import Argument
     from launchlint.extract.cpp.ros import library
 
     machine, at, frame = asked.machine, asked.node, asked.frame
