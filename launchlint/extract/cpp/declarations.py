@@ -47,6 +47,20 @@ class Parameter(NamedTuple):
     default: Node | None
 
 
+class Signature(NamedTuple):
+    """What the source says of a function, whatever else its program has; the fields are those of :class:`Function`."""
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    returns: Type
+    body: Node | None
+    initialisers: Node | None
+    absent: bool
+    overrides: bool
+    of_constant: bool
+    line: int
+
+
 class Function:
     """A function with its body, or without one where only its prototype is known.
 
@@ -60,22 +74,12 @@ class Function:
         "returns", "scope", "template",
     )  # fmt: skip
 
-    def __init__(
-        self, name: str, scope: str, parameters: tuple[Parameter, ...], returns: Type, node: Node, path: str, template: tuple[str, ...]
-    ) -> None:
+    def __init__(self, name: str, scope: str, signature: Signature, path: str, template: tuple[str, ...]) -> None:
         self.name = name
         self.last = name.rpartition("::")[2]
         self.scope = scope
-        self.parameters = parameters
-        self.returns = returns
-        self.body = node.fields.get("body")
-        self.absent = self.body is None and _MADE.search(node.text) is None
-        head = node.until(self.body)
-        self.overrides = _VIRTUAL.search(head) is not None
-        self.of_constant = _OF_CONSTANT.search(head) is not None
-        self.initialisers = node.child("field_initializer_list")
+        _, self.parameters, self.returns, self.body, self.initialisers, self.absent, self.overrides, self.of_constant, self.line = signature
         self.path = path
-        self.line = node.line
         self.template = template
         self.owner = ""
         self.relevant: bool | None = None
@@ -337,20 +341,12 @@ class Declarations:
             self.variables[qualified] = found
 
     def _function(self, node: Node, declarator: Node | None, scope: str, path: str, template: tuple[str, ...]) -> None:
-        function = function_declarator(declarator)
-        named = function.fields.get("declarator") if function else None
-        if function is None or named is None:
+        signature = None if declarator is None else _signature(node, declarator)
+        if signature is None:
             return
-        name = function_name(named)
-        if not name:
-            return
-        returns = node.fields.get("type")
-        parameters = parameters_of(function.fields.get("parameters"))
-        qualified = joined(scope, name.removeprefix("::"))
-        found = Function(
-            qualified, qualified.rpartition("::")[0], parameters, parse_type(returns.text) if returns else UNTYPED, node, path, template
-        )
-        if returns is None and _TEST.fullmatch(found.last):
+        qualified = joined(scope, signature.name)
+        found = Function(qualified, qualified.rpartition("::")[0], signature, path, template)
+        if signature.returns is UNTYPED and _TEST.fullmatch(found.last):
             self.tests.append(found)
         else:
             self._owned.append(found)
@@ -403,6 +399,31 @@ class Declarations:
             if owner.startswith(start + "::") and full + owner[len(start) :] in self.classes:
                 return full + owner[len(start) :]
         return owner
+
+
+def _signature(node: Node, declarator: Node) -> Signature | None:
+    """What a declarator says of the function that it declares; None where it declares none."""
+    if isinstance(declarator.kept, Signature):
+        return declarator.kept
+    function = function_declarator(declarator)
+    named = function.fields.get("declarator") if function else None
+    name = function_name(named) if named is not None else ""
+    if function is None or not name:
+        return None
+    returns, body = node.fields.get("type"), node.fields.get("body")
+    head = node.until(body)
+    declarator.kept = Signature(
+        name.removeprefix("::"),
+        parameters_of(function.fields.get("parameters")),
+        parse_type(returns.text) if returns is not None else UNTYPED,
+        body,
+        node.child("field_initializer_list"),
+        body is None and _MADE.search(node.text) is None,
+        _VIRTUAL.search(head) is not None,
+        _OF_CONSTANT.search(head) is not None,
+        node.line,
+    )
+    return declarator.kept
 
 
 @lru_cache(maxsize=8192)

@@ -8,9 +8,8 @@ the first side is. What tree-sitter cannot make sense of is an
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
-from types import MappingProxyType
 
 from launchlint.errors import UsageError
 
@@ -23,7 +22,9 @@ if TYPE_CHECKING:
 _MOST_NODES = 1_500_000
 _DEEPEST = 400
 _ERROR = 0xFFFF
-_NO_FIELDS: Mapping[str, Node] = MappingProxyType({})
+_NO_FIELDS: dict[str, Node] = {}
+_NO_CHILDREN: list[Node] = []
+"""Of all leaves: nothing is ever added to them."""
 
 _BLANKED = re.compile(
     r"^[ \t]*(?:PLUGINLIB_\w+|NODELET_\w+|EIGEN_MAKE_ALIGNED_\w+|Q_(?:OBJECT|PROPERTY|ENUMS|INTERFACES|DECLARE\w*)|GZ_REGISTER_\w+"
@@ -63,14 +64,17 @@ class Node:
 
     Of several nodes that the grammar calls alike, ``fields`` has the first one, and :meth:`every` has all.
 
+    ``kept`` is for what a reader has worked out of the node, and the next one need not; None where that is nothing.
+
     Lines are counted, its source ``text`` is decoded, and what stands in the body of a function is converted when they are asked for: most
     of it never is.
     """
 
-    __slots__ = ("_below", "_end", "_others", "_source", "_start", "children", "fields", "kind", "line", "text")
+    __slots__ = ("_below", "_end", "_others", "_source", "_start", "children", "fields", "kept", "kind", "line", "text")
 
-    children: Sequence[Node]
-    fields: Mapping[str, Node]
+    children: list[Node]
+    fields: dict[str, Node]
+    kept: object
     line: int
     text: str
     _below: tuple[TreeCursor, int]
@@ -78,7 +82,7 @@ class Node:
 
     def __init__(self, kind: str, source: bytes, start: int, end: int) -> None:
         self.kind = kind
-        self.children = ()
+        self.children = _NO_CHILDREN
         self.fields = _NO_FIELDS
         self._source = source
         self._start = start
@@ -94,10 +98,12 @@ class Node:
             return self.line
         if name == "_others":
             return ()
+        if name == "kept":
+            return None
         if name in ("children", "fields"):
             cursor, depth = self._below
             del self._below
-            self.children, self.fields = (), _NO_FIELDS
+            self.children, self.fields = _NO_CHILDREN, _NO_FIELDS
             _convert(cursor, self, depth)
             return getattr(self, name)
         raise AttributeError(name)
@@ -240,7 +246,10 @@ def _convert(cursor: TreeCursor, root: Node, depth: int) -> None:
             node = Node(kind, source, found.start_byte, found.end_byte)
             parent = parents[-1]
             if named:
-                _add(parent, node)
+                if parent.children:
+                    parent.children.append(node)
+                else:
+                    parent.children = [node]  # most nodes are leaves: they have no list of their own
             if field is not None:
                 _name(parent, field_names[field], node)
             if len(parents) + depth < _DEEPEST:
@@ -269,16 +278,8 @@ def _names() -> tuple[dict[int, str], frozenset[int], list[str]]:
     return {**kinds, _ERROR: "ERROR"}, frozenset((*named, _ERROR)), fields
 
 
-def _add(parent: Node, node: Node) -> None:
-    # Most nodes are leaves: they have no list of their own.
-    if isinstance(parent.children, list):
-        parent.children.append(node)
-    else:
-        parent.children = [node]
-
-
 def _name(parent: Node, name: str, node: Node) -> None:
-    if not isinstance(parent.fields, dict):
+    if not parent.fields:
         parent.fields = {name: node}
     elif name not in parent.fields:
         parent.fields[name] = node
