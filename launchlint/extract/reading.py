@@ -10,7 +10,7 @@ from typing import Any
 from launchlint.errors import UsageError
 from launchlint.extract.entries import ANY, CATEGORIES, ROS1, ROS2, variant_of
 from launchlint.extract.fact import ELSEWHERE, Doubt, Fact, Made
-from launchlint.extract.literals import SOURCE_ENDS, literals
+from launchlint.extract.literals import SOURCE_ENDS, Literals
 from launchlint.extract.python.modules import PackageModules
 from launchlint.extract.python.program import Extracted, python_program
 from launchlint.extract.task import Task
@@ -46,13 +46,14 @@ class ProgramReader:
         self._finder = PackageModules(packages)
         self._ament: PackageModules | None = None
         self._trees: Trees | None = None
+        self._literals = Literals()
 
     def read(self, task: Task) -> Reading:
         """Read one program. Never raises for what its source says."""
         reading, looked_at = watched(lambda: _read(task, self))
         for variant in () if reading.program is None else reading.program["variants"].values():
             if "open" in variant or any(ANY in entry["name"] for category in CATEGORIES for entry in variant.get(category, ())):
-                found = literals(path for path in looked_at.all() if os.path.splitext(path)[1] in SOURCE_ENDS)
+                found = self._literals.among(path for path in looked_at.all() if os.path.splitext(path)[1] in SOURCE_ENDS)
                 variant.update({"literals": found} if found else {})
         return reading
 

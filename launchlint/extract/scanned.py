@@ -22,6 +22,8 @@ _REGISTERS = re.compile(
 _MOST_KEPT = 20_000
 _MOST_HEADERS = 200_000
 _MOST_TEXT = 32 << 20
+_MOST_LISTED = 4_000
+_HERE = (".", "..")
 
 
 class Scan(NamedTuple):
@@ -56,6 +58,7 @@ class Files:
         self._characters = 0
         self._headers: dict[tuple[str, ...], dict[tuple[str, str], str | None]] = {}
         self._found = 0
+        self._looked_for = Headers()
 
     def text(self, path: str) -> str:
         """The text of a file; empty where it cannot be read."""
@@ -85,7 +88,7 @@ class Files:
         known = self._headers.setdefault(directories, {})
         key = (os.path.dirname(path) if quoted else "", name)
         if key not in known:
-            known[key] = found_header(name, quoted, path, directories)
+            known[key] = self._looked_for.found(name, quoted, path, directories)
             self._found += 1
         return known[key]
 
@@ -95,18 +98,36 @@ class Files:
         return [each for each in found if each is not None]
 
 
-def found_header(name: str, quoted: bool, includer: str, directories: Sequence[str]) -> str | None:
-    """The file that ``#include`` means, beside the includer or in the directories; None where it is not here."""
-    if "\0" in name or os.path.isabs(name):
+class Headers:
+    """Looks for headers, beside files and in directories, whose names it keeps."""
+
+    def __init__(self) -> None:
+        self._listed: dict[str, frozenset[str]] = {}
+
+    def found(self, name: str, quoted: bool, includer: str, directories: Sequence[str]) -> str | None:
+        """The file that ``#include`` means, beside the includer or in the directories; None where it is not here."""
+        if "\0" in name or os.path.isabs(name):
+            return None
+        first = name.partition("/")[0]
+        beside = os.path.dirname(includer)
+        near = (os.path.join(beside, "include"), os.path.join(os.path.dirname(beside), "include"))
+        # Where a header is not found, a directory called include beside the file is looked into, too.
+        for directory in (beside, *directories, *near) if quoted else directories:
+            if first in _HERE or first in self._names(directory):
+                path = f"{directory}/{name}" if directory else name
+                if os.path.isfile(path):
+                    return os.path.normpath(path)
         return None
-    beside = os.path.dirname(includer)
-    near = (os.path.join(beside, "include"), os.path.join(os.path.dirname(beside), "include"))
-    # Where a header is not found, a directory called include beside the file is looked into, too.
-    for directory in (beside, *directories, *near) if quoted else directories:
-        path = f"{directory}/{name}" if directory else name
-        if os.path.isfile(path):
-            return os.path.normpath(path)
-    return None
+
+    def _names(self, directory: str) -> frozenset[str]:
+        if directory not in self._listed:
+            if len(self._listed) >= _MOST_LISTED:
+                self._listed.clear()
+            try:
+                self._listed[directory] = frozenset(os.listdir(directory or "."))
+            except (OSError, ValueError):
+                self._listed[directory] = frozenset()
+        return self._listed[directory]
 
 
 def text_of(path: str) -> str:

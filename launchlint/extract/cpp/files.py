@@ -9,7 +9,7 @@ from collections import OrderedDict
 from collections.abc import Sequence
 
 from launchlint.extract.cpp.syntax import Root, parse
-from launchlint.extract.scanned import found_header
+from launchlint.extract.scanned import Headers
 from launchlint.extract.template import Template, filled
 from launchlint.workspace.looking import LARGEST_FILE, read_bytes
 
@@ -33,16 +33,26 @@ class Trees:
         self._spare = 0
         self._headers: dict[tuple[str, ...], dict[tuple[str, str], str | None]] = {}
         self._found = 0
+        self._looked_for = Headers()
+        self._real: dict[str, str] = {}
+
+    def real(self, path: str) -> str:
+        """A path without links."""
+        if path not in self._real:
+            if len(self._real) >= _MOST_HEADERS:
+                self._real.clear()
+            self._real[path] = os.path.realpath(path)
+        return self._real[path]
 
     def header(self, name: str, quoted: bool, path: str, directories: tuple[str, ...]) -> str | None:
-        """The header that the file at ``path`` includes, as :func:`launchlint.extract.scanned.found_header` says."""
+        """The header that the file at ``path`` includes, as :meth:`launchlint.extract.scanned.Headers.found` says."""
         known = self._headers.setdefault(directories, {})
         key = (os.path.dirname(path) if quoted else "", name)
         if key not in known:
             if self._found >= _MOST_HEADERS:
                 self._headers, self._found = {}, 0
                 known = self._headers.setdefault(directories, {})
-            known[key] = found_header(name, quoted, path, directories)
+            known[key] = self._looked_for.found(name, quoted, path, directories)
             self._found += 1
         return known[key]
 
@@ -98,7 +108,7 @@ def read_files(
         if tree is not None:
             found.append(File(_relative(path, root), tree))
             continue
-        real = os.path.realpath(path)
+        real = trees.real(path)
         if real in seen:
             continue
         seen.add(real)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 
 from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.relevance import Relevance
@@ -114,9 +115,15 @@ def tells(machine: Machine, function: Function) -> bool:
 def telling(machine: Machine, text: str) -> bool:
     """Whether a piece of source may make names of ROS; told by its words alone."""
     words = machine.tables.words
-    if any(word in words and word not in machine.tables.silent_words for word in _WORD.findall(text)):
+    if any(word in words and word not in machine.tables.silent_words for word in words_of(text)):
         return True
     return any(name in text for name in machine.tables.qualified)
+
+
+@lru_cache(maxsize=8192)
+def words_of(text: str) -> tuple[str, ...]:
+    """The words of a piece of source, each once, in the order of the source."""
+    return tuple(dict.fromkeys(_WORD.findall(text)))
 
 
 def talks(machine: Machine, declared: Class) -> bool:

@@ -65,6 +65,16 @@ def _mentions(text: str) -> dict[str, tuple[Mention, ...]]:
     return by_word
 
 
+@lru_cache(maxsize=4096)
+def _locals(text: str) -> dict[str, list[str]]:
+    """The variables that a body seems to declare, each with what stands for its type, mostly once."""
+    found: dict[str, list[str]] = {}
+    for type_, name in _LOCAL.findall(_SKIPPED.sub(" ", text)):
+        if type_ not in _NO_TYPES:
+            found.setdefault(name, []).append(type_)
+    return found
+
+
 def _is_given(handle: Mention) -> bool:
     """Whether the name of a node handle stands for the handle itself, which may be handed on, and not for a member of it."""
     return handle.follow not in (".", "->")
@@ -96,7 +106,6 @@ class Relevance:
         self._declarations = declarations
         self._names = names
         self._tables = tables
-        self._locals: dict[Function, dict[str, list[str]]] = {}
         self._classes: dict[tuple[Function, str], tuple[str | None, ...]] = {}
         self._lineage: dict[str, frozenset[str]] = {}
         self._mentioned: dict[str, list[tuple[Function, Mention]]] = {}
@@ -316,13 +325,7 @@ class Relevance:
         return self._classes[key]
 
     def _types_of(self, function: Function, variable: str) -> list[Type]:
-        if function not in self._locals:
-            found: dict[str, list[str]] = {}
-            for text, name in _LOCAL.findall(_SKIPPED.sub(" ", function.text)):
-                if text not in _NO_TYPES:
-                    found.setdefault(name, []).append(text)
-            self._locals[function] = found
-        types = [parse_type(text) for text in self._locals[function].get(variable, ())]
+        types = [parse_type(text) for text in _locals(function.text).get(variable, ())]
         types += [each.type for each in function.parameters if each.name == variable]
         if types or not function.owner:
             return types

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 _MOST_SLOTS = 200
 _MOST_OBJECTS = 20
-_WORD = re.compile(r"[A-Za-z_]\w*")
 _SLOT = re.compile(r"on_\w+_\w+")
 _OF_QT = re.compile(r"Q[A-Z]\w*")
 _UNNAMED = re.compile(r"~|operator\W")
@@ -140,6 +139,8 @@ class Unseen:
 
     def tells(self, function: Function) -> bool:
         """Whether a function that was not followed, or one that it calls and that was not either, makes names of ROS."""
+        from launchlint.extract.cpp import overloads
+
         if function in self._tells:
             return self._tells[function]
         self._tells[function] = False
@@ -148,19 +149,14 @@ class Unseen:
         while pending and not found:
             each = pending.pop()
             text = each.body.text if each.body is not None else ""
-            found = self._tell(text)
-            for word in () if found else dict.fromkeys(_WORD.findall(text)):
+            found = overloads.telling(self.machine, text)
+            for word in () if found else overloads.words_of(text):
                 for inner in self._by_name().get(word, ()):
                     if inner not in seen and inner not in self.visited:
                         seen.add(inner)
                         pending.append(inner)
         self._tells[function] = found
         return found
-
-    def _tell(self, text: str) -> bool:
-        from launchlint.extract.cpp import overloads
-
-        return overloads.telling(self.machine, text)
 
     def _by_name(self) -> dict[str, list[Function]]:
         if self._words is None:
