@@ -124,7 +124,7 @@ def package_of(root: Path, count: int) -> str:
 def reads(monkeypatch: pytest.MonkeyPatch, work: Any) -> int:
     """How often something was read or looked for."""
     count = 0
-    read, found = looking.read_bytes, scanned.found_header
+    read, found = looking.read_bytes, scanned.Headers.found
 
     def counted_read(*args: Any) -> bytes:
         nonlocal count
@@ -138,7 +138,7 @@ def reads(monkeypatch: pytest.MonkeyPatch, work: Any) -> int:
 
     with monkeypatch.context() as patched:
         patched.setattr("launchlint.workspace.looking.read_bytes", counted_read)
-        patched.setattr("launchlint.extract.scanned.found_header", counted_header)
+        patched.setattr("launchlint.extract.scanned.Headers.found", counted_header)
         work()
     return count
 
