@@ -14,7 +14,7 @@ from launchlint.extract.cpp.declarations import Class, Declarations, Function, P
 from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.forgetting import forget
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Instance, Names, finished, is_anchored
+from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Instance, Names, finished, is_loose
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import LONGEST_CONDITION, Node, shortened
 from launchlint.extract.cpp.tables import Tables
@@ -27,7 +27,6 @@ from launchlint.extract.cpp.values import (
     Closure,
     Either,
     Items,
-    Number,
     Text,
     Thing,
     Value,
@@ -47,10 +46,7 @@ _DEEPEST = 110
 _DEEPEST_CALL = 22
 _MOST_PENDING = 2_000
 _MOST_FACTS = 5_000
-_MOST_LOOPS = 1
 _MOST_ROUNDS = 4
-_MOST_NUMBERED = 10
-_MOST_STEPS_OF_NUMBERED = 4_000
 _LARGEST_IRRELEVANT = 1_500
 _LARGEST_PLAIN = 150
 _MOST_STEPS_OF_IRRELEVANT = 3_000
@@ -232,95 +228,6 @@ class Machine:
             return ""
         return "return" if signals == {"return"} else min(signals)
 
-    def telling(self, run: Does[[], str]) -> tuple[str, bool]:
-        """Follow what is reached for certain; and whether it makes names, or writes what names are made of."""
-        told, since = self._told(), self.serial
-        self.journals.append({})
-        try:
-            signal = run()
-        finally:
-            before = self.journals.pop()
-        if self.journals:
-            for cell, value in before.items():
-                self.journals[-1].setdefault(cell, value)
-        return signal, told != self._told() or any(_may_tell(cell.value, since) for cell in before)
-
-    def _told(self) -> tuple[int, int, int]:
-        """What has been told by now, in numbers: these grow with all that is."""
-        return self.noted, len(self.doubts), len(self.queued)
-
-    def once_or_more(self, run: Does[[], str], condition: str) -> str:
-        """Follow the body of a loop of which nobody knows how often it runs; ``condition`` is the text of what decides that."""
-        earlier, self.facts = self.facts, {}
-        told, since = self._told(), self.serial
-        signal, before, after = self._turn(run)
-        first, self.facts = self.facts, {}
-        counted = [
-            cell for cell, value in after.items() if isinstance(value, (Number, Items)) and isinstance(before[cell], (Number, Items))
-        ]
-        tells = told != self._told() or any(_may_tell(each, since) for each in after.values())
-        if counted and tells and self.loops < _MOST_LOOPS:
-            # A second turn, in which what the first one counted or collected is not known.
-            doubts = dict(self.doubts)
-            for cell in counted:
-                self.write(cell, UNKNOWN)
-            self.loops += 1
-            steps = self.steps
-            try:
-                _, _, second = self._turn(run)
-                unknown, self.facts = self.facts, {}
-                more = {key: each for key, each in unknown.items() if key not in first}
-                if self.steps - steps < _MOST_STEPS_OF_NUMBERED and any(ANY in each.name for each in more.values()):
-                    self.doubts = doubts
-                    loose = {(each.category, each.path, each.line) for each in more.values() if _is_loose(each.name)}
-                    self._numbered(run, condition, after, {key: each for key, each in first.items() if key not in unknown}, loose)
-                    first = {key: each for key, each in first.items() if key in unknown}
-                    unknown = {key: each for key, each in unknown.items() if key in first or not _is_loose(each.name)}
-                first.update(unknown)
-            finally:
-                self.loops -= 1
-            for cell, value in second.items():
-                after[cell] = either([("", after.get(cell, value)), ("", value)])
-        self.facts = {**earlier, **first, **self.facts}
-        for cell, value in after.items():
-            self.write(cell, statements.after_loop(before.get(cell, cell.value), value))
-        return signal
-
-    def _numbered(
-        self, run: Does[[], str], condition: str, after: dict[Cell, Value], first: dict[Hashable, Fact], loose: set[tuple[str, str, int]]
-    ) -> None:
-        """Further turns of a loop that makes numbered names: each of them is there where the loop comes so far.
-
-        ``loose`` are the places whose names have no known beginning, which would tell that there are more of them.
-        """
-        for key, fact in first.items():
-            both_ = both(fact.condition, condition)
-            self.facts[key] = fact._replace(condition=both_ if len(both_) <= 3 * LONGEST_CONDITION else fact.condition)
-        self.conditions.append(condition)
-        state = after
-        for _ in range(_MOST_NUMBERED - 1):
-            for cell, value in state.items():
-                self.write(cell, value)
-            _, _, state = self._turn(run)
-        self.conditions.pop()
-        for category, path, line in loose:
-            reason = f"names are numbered, and only {_MOST_NUMBERED} of them listed: {condition}"
-            self.doubts[Doubt(category, reason, path, line)] = None
-
-    def _turn(self, run: Does[[], str]) -> tuple[str, dict[Cell, Value], dict[Cell, Value]]:
-        """One turn of a loop, undone: where it ends, and the variables that it writes with their values before and after."""
-        self.journals.append({})
-        horizon, self.horizon = self.horizon, self.serial + 1
-        try:
-            signal = run()
-        finally:
-            self.horizon = horizon
-            before = self.journals.pop()
-        after = {cell: cell.value for cell in before}
-        for cell, value in before.items():
-            cell.value = value
-        return signal, before, after
-
     # -- calls --------------------------------------------------------------------------------------------------------
 
     def later(self, function: Value, when: str, conditions: tuple[str, ...] | None = None) -> None:
@@ -473,7 +380,7 @@ class Machine:
         for condition, each in choices(name):
             text = each.template if isinstance(each, Text) else ANY
             spelled = finished(text)
-            if UNKNOWN_SPACE in spelled or (LOOSE in text and ANY in spelled) or _is_loose(spelled):
+            if UNKNOWN_SPACE in spelled or (LOOSE in text and ANY in spelled) or is_loose(spelled):
                 where = UNKNOWN_SPACE if UNKNOWN_SPACE in spelled else ""
                 self.doubt(category, f"{where}a name is not known before it runs: {shortened(node.text)}", node, frame)
             untyped = category == "params" and text in self.set_here
@@ -507,20 +414,3 @@ class Machine:
         """Note why there may be more of every category."""
         for category in CATEGORIES:
             self.doubts[Doubt(category, reason, path, line)] = None
-
-
-def _may_tell(value: Value, since: int) -> bool:
-    """Whether a value that a turn of a loop leaves behind may be part of a name, or make one: a number is that of this turn only.
-
-    Of the objects only those may that were made ``since``; and of them those of the program, as others are told when they are made.
-    """
-    for _, each in choices(value):
-        for one in each.items if isinstance(each, Items) else (each,):
-            if isinstance(one, (Text, Callable, Closure)) or (isinstance(one, Thing) and one.declared is not None and one.serial > since):
-                return True
-    return False
-
-
-def _is_loose(name: str) -> bool:
-    """Whether what is known of a name does not say how it begins."""
-    return ANY in name and not is_anchored(name)

@@ -378,6 +378,11 @@ def is_anchored(name: str) -> bool:
     return UNKNOWN_SPACE not in name and _ANCHORED.match(name) is not None
 
 
+def is_loose(name: str) -> bool:
+    """Whether what is known of a name does not say how it begins."""
+    return ANY in name and not is_anchored(name)
+
+
 def below(namespace: str, name: str) -> str:
     """The namespace of a node handle made of another one and a name; a mere slash is no name (ros::names::clean leaves nothing of it)."""
     if name and not name.strip("/"):

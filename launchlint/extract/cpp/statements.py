@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from launchlint.extract.cpp import classes, places
+from launchlint.extract.cpp import classes, places, turns
 from launchlint.extract.cpp.declarators import function_declarator, is_pointer, name_of
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import TEXTS, UNTYPED, Type, parse_type
 from launchlint.extract.cpp.syntax import Node, parse_expression, shortened
-from launchlint.extract.cpp.values import UNKNOWN, Cell, Items, Null, Number, Text, Unknown, Value, either
+from launchlint.extract.cpp.values import UNKNOWN, Cell, Items, Number, Value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -285,7 +285,7 @@ def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
         frame.variables[name] = machine.cell(item, type_)
         return machine.execute(body, frame)
 
-    machine.once_or_more(turn, f"{name} is one of {condition_text(node.fields.get('right'))}")
+    turns.once_or_more(machine, turn, f"{name} is one of {condition_text(node.fields.get('right'))}")
     return ""
 
 
@@ -295,19 +295,19 @@ def _for(machine: Machine, node: Node, frame: Frame) -> str:
         machine.execute(initial, frame)
     if body is None:
         return ""
-    turns = silent = 0
-    while condition is not None and turns < _MOST_TURNS:
+    followed = silent = 0
+    while condition is not None and followed < _MOST_TURNS:
         known = decided(machine, condition, frame)
         if known is False:
             return ""
         if known is None:
             break
         before = machine.steps
-        signal, tells = machine.telling(lambda: machine.execute(body, frame))
+        signal, tells = turns.telling(machine, lambda: machine.execute(body, frame))
         if signal in ("break", "return"):
             return ""
         machine.evaluate(update, frame)
-        turns += 1
+        followed += 1
         silent = 0 if tells else silent + 1
         if machine.steps == before or silent == _MOST_SILENT_TURNS:
             break
@@ -317,7 +317,7 @@ def _for(machine: Machine, node: Node, frame: Frame) -> str:
         machine.evaluate(update, frame)
         return signal
 
-    machine.once_or_more(turn, condition_text(condition))
+    turns.once_or_more(machine, turn, condition_text(condition))
     return ""
 
 
@@ -326,21 +326,10 @@ def _while(machine: Machine, node: Node, frame: Frame) -> str:
     if node.kind == "while_statement" and decided(machine, condition, frame) is False:
         return ""
     if body is not None:
-        machine.once_or_more(lambda: machine.execute(body, frame), condition_text(condition))
+        turns.once_or_more(machine, lambda: machine.execute(body, frame), condition_text(condition))
     if node.kind == "do_statement":
         machine.evaluate(condition, frame)
     return ""
-
-
-def after_loop(before: Value, after: Value) -> Value:
-    """What a variable holds behind a loop of unknown length that changed it."""
-    if isinstance(after, (Items, Number)):
-        return UNKNOWN
-    if isinstance(after, Text) and isinstance(before, Text) and before.template and after.template.startswith(before.template):
-        return UNKNOWN
-    if isinstance(before, (Unknown, Null)) or before == Text(""):
-        return after
-    return either([("", after), ("", before)])
 
 
 def _switch(machine: Machine, node: Node, frame: Frame) -> str:
