@@ -194,9 +194,12 @@ def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
 
 def _in_comment(name: str, problem: EnvUnset, view: LaunchView) -> bool:
     """Whether a comment of the file speaks of the variable as such; what is commented out reads it, and tells nothing."""
-    word = re.compile(rf"(?<![\w.-])(?<!env ){re.escape(name)}(?![\w-])")
     written = (each.comments for each in view.documents.values() if each.source.path == problem.place.source.path)
-    return any(word.search(comment.text) is not None for comments in written for comment in comments)
+    naming = [comment.text for comments in written for comment in comments if name in comment.text]
+    if not naming:
+        return False
+    word = re.compile(rf"(?<![\w.-])(?<!env ){re.escape(name)}(?![\w-])")
+    return any(word.search(text) is not None for text in naming)
 
 
 def _like(problem: EnvUnset, view: LaunchView) -> list[str]:

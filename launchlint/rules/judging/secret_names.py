@@ -12,6 +12,9 @@ _SECRET = late(
     re.IGNORECASE,
 )
 
+_LONGEST_WORD = 40
+"""More characters than the longest of these words has, with what stands in front of it."""
+
 
 def is_said_by_name(value: str, name: str) -> bool:
     """Whether ``value`` is one of the words of ``name``, a token: ``ready`` for ``ready_token`` is a word that programs tell each other.
@@ -27,5 +30,6 @@ def is_secret(name: str, *, variable: bool = False) -> bool:
 
     Of an environment variable (``variable``) shorter words say so too: a param may be a pulse width, a low pass or the key of a map.
     """
-    found = _SECRET.search(name.strip())
+    name = name.strip()
+    found = _SECRET.search(name, max(0, len(name) - _LONGEST_WORD))
     return found is not None and (variable or found[1] is None)
