@@ -53,6 +53,8 @@ def _convention(name: str, readers: Readers) -> tuple[str, str]:
     from launchlint.rules.args.env_unset import OF_A_SITE, USUAL
 
     count = readers.counts.get(name, 0)
+    if count == 1 and name in readers.again and name not in readers.optional:
+        return "this file reads it at several places, none with a default: it is no slip", name
     if count >= CONVENTION or (count == CONVENTION - 1 and name not in readers.optional):
         return f"{count} launch files read it: it is a convention here", name
     prefix, members = readers.family(name)

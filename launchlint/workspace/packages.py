@@ -294,6 +294,12 @@ class Packages:
 
         return self._survey(read_in_launch_files)
 
+    def machine_defined_in(self, name: str) -> str | None:
+        """A launch file of the workspaces (absolute) that defines machine ``name``; ``None`` where there is none."""
+        from launchlint.workspace.machines import read_machines
+
+        return self._survey(read_machines).known.get(name)
+
     def launch_files(self, name: str) -> tuple[str, ...]:
         """The launch files (absolute) of the workspaces that are called ``name``, whatever directory they lie in."""
         from launchlint.workspace.launch_files import read_launch_files

@@ -24,6 +24,7 @@ _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", 
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 # No grammar, a look through whole files, comments and all: that a variable is read in many files is a reason for less, never for more.
 _LAUNCH = re.compile(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _OPTIONAL = re.compile(r"\$\(\s*(?:optenv\s+([A-Za-z_]\w*)|env\s+([A-Za-z_]\w*)\s+[^\s)])")
 """Read with a default, in ROS 1 or in ROS 2."""
 _SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"']([A-Za-z_]\w*)[\"']")
@@ -48,11 +49,12 @@ def read_variables(directories: Iterable[str]) -> Variables:
 
 
 class Readers(NamedTuple):
-    """How many launch files read each variable without a default, the variables that some launch file has a default for, and the places
-    that were looked at.
+    """How many launch files read each variable without a default, the variables that one of them reads ``again``, those that some launch
+    file has a default for, and the places that were looked at.
     """
 
     counts: Mapping[str, int]
+    again: frozenset[str]
     optional: frozenset[str]
     looked: frozenset[str]
 
@@ -65,12 +67,14 @@ class Readers(NamedTuple):
 def read_in_launch_files(directories: Iterable[str]) -> Readers:
     """The variables that launch files below ``directories`` read. Bounded; never raises."""
     counted: Counter[str] = Counter()
+    again: set[str] = set()
     optional: set[str] = set()
     looked: set[str] = set()
     for _, text in texts(_places(directories, lambda name: name.endswith(_LAUNCH_ENDS)), _MOST_FILES, looked):
         counted.update(set(_LAUNCH.findall(text)))
+        again.update(name for name, times in Counter(_LAUNCH.findall(_COMMENT.sub("", text))).items() if times > 1)
         optional.update(one or other for one, other in _OPTIONAL.findall(text))
-    return Readers(counted, frozenset(optional), frozenset(looked))
+    return Readers(counted, frozenset(again), frozenset(optional), frozenset(looked))
 
 
 def _places(directories: Iterable[str], wanted: Callable[[str], bool]) -> Iterator[tuple[str, list[str]]]:

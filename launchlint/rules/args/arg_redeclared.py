@@ -73,6 +73,15 @@ def together(findings: Sequence[Finding]) -> Finding:
     return told if len(names) < 2 else told._replace(message=f"{listed(names, _MOST_NAMED)} are declared twice")
 
 
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for the same args, declared twice in the same words in several files: the block was copied."""
+    alike: dict[tuple[Severity, str, str], list[Finding]] = {}
+    for finding in findings:
+        alike.setdefault((finding.severity, finding.message, finding.location.text.strip()), []).append(finding)
+    for several in alike.values():
+        yield from [joined(several)] if len(several) > 1 else several
+
+
 def _fix(problem: ArgRedeclared, view: object) -> Fix | None:
     """Of two declarations that say the same, the second goes."""
     second = spot(view, problem.place)

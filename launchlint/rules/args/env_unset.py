@@ -5,11 +5,11 @@ Variables that every login or ROS installation sets are not told of, nor those t
 `package.xml` needs. Others may be set on the robot and not where this check runs; `env:` in `.launchlint.yaml` gives them a value for the
 check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
 file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it or a comment of the launch file names the variable (then
-people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), where a public package sets it that nothing here
-names, where three or more launch files read it, or two and none of all has a default for it, and where the launch files read three or more
-variables of one first word (`SITE_MAP`, `SITE_DOCK` …), none with a default: it is the project's own. It is one, too, where the variable
-is the default of an arg, or chooses one of several files of a directory (`$(find site)/maps/$(env SITE).yaml`): then it is an input of
-whoever starts the file.
+people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), or tells one robot from the others (`ROBOT_IP`, `UAV_NAME`, `LIDAR_PORT`),
+where a public package sets it that nothing here names, where three or more launch files read it, or two and none of all has a default for
+it, or one without a default does at two places, and where the launch files read three or more variables of one first word (`SITE_MAP`,
+`SITE_DOCK` …), none with a default: it is the project's own. It is one, too, where the variable is the default of an arg, or chooses one of
+several files of a directory (`$(find site)/maps/$(env SITE).yaml`): then it is an input of whoever starts the file.
 
 ## Why it matters
 
@@ -66,9 +66,12 @@ USUAL = (
 OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE")
 
 
+_WHICH = re.compile(r"[A-Z]\w*_(?:IP|HOST|HOSTNAME|ADDRESS|ADDR|PORT|URI|URL|MAC|SERIAL|DEVICE|NAME|NAMESPACE|NS|ID|NUMBER)")
+"""What no file can say that is the same on all robots: how to reach a device, and which of several this one is."""
 _SET_BY = "the public package"
 _SEVERAL = 2
 OF_A_SITE = "the launch files read"
+OF_ONE_ROBOT = "by its name it tells one robot from the others, so that it is set on each"
 SECRET = "it holds a secret, by its name: it belongs into no file, and without it nothing is to start"
 
 
@@ -152,7 +155,7 @@ def _reason(name: str, problem: EnvUnset, view: LaunchView) -> str:
         return SECRET
     setters = public_setters(name)
     told = f"{_SET_BY} {setters[0]} sets it wherever that is installed" if setters else _elsewhere(name, problem, view)
-    return told or ("" if of_ros2(view) else _as_input(problem, view))
+    return told or (OF_ONE_ROBOT if _WHICH.fullmatch(name) else "" if of_ros2(view) else _as_input(problem, view))
 
 
 def _as_input(problem: EnvUnset, view: LaunchView) -> str:

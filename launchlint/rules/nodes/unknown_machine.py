@@ -1,8 +1,9 @@
 """A node is to run on a machine that no `<machine>` tag defines.
 
 What it does: it compares the `machine` of every node and test with the machines of the whole launch. A machine may be defined
-after the node that uses it, and in any included file. Where the launch defines no machine at all it is a warning, and in a file
-whose name ends with `.xml` an info: it may be made to be included. Where the launch is not known as a whole, because a file of it is
+after the node that uses it, and in any included file. Where the launch defines no machine at all it is a warning. It is an info there
+where the file may be made to be included: its name ends with `.xml`, it lies below a directory `include` or `includes`, or another launch
+file of the workspace defines that machine. Where the launch is not known as a whole, because a file of it is
 not here or a condition cannot be worked out, the machine may be defined there, and nothing is told.
 
 ## Why it matters
@@ -40,12 +41,14 @@ from launchlint.evaluate.problems import UnknownMachine
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Launch
 from launchlint.rules.edits import fix, is_literal, set_value, spot
+from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
 from launchlint.spelling import closest, did_you_mean
 
 RULE = Rule("LL306", "unknown-machine", Severity.ERROR, roslaunch="reports", fixable="unsafe")
+_OF_PARTS = frozenset(("include", "includes"))
 _DEFINE = frozenset(("machine", "group", "include"))
 
 
@@ -66,20 +69,27 @@ def tell(problem: UnknownMachine, view: LaunchView) -> Iterator[Finding]:
     name, known = problem.name, problem.known
     if _may_be_elsewhere(view.launch):
         return
-    fragment = view.launch.entry.path.endswith(".xml")
+    entry = view.launch.entry
+    fragment = entry.path.endswith(".xml") or not _OF_PARTS.isdisjoint(entry.path.split("/")[:-1])
     certain = bool(known) or view.declared_entry
+    whole = None if certain else view.packages.machine_defined_in(name)
     yield RULE.at(
         problem.origin,
         f"there is no machine {name}",
-        severity=None if certain else Severity.INFO if fragment else Severity.WARNING,
+        severity=None if certain else Severity.INFO if fragment or whole is not None else Severity.WARNING,
         label="not defined",
         notes=(
             f"roslaunch stops with: ERROR: unknown machine [{name}]",
             f"defined are: {', '.join(known)}" if known else "no machine is defined: this works only where the including file defines it",
+            *(
+                []
+                if whole is None
+                else [f"{shown(whole, root_of(entry))} defines one of that name: this may be a part of what starts there"]
+            ),
         ),
         help=did_you_mean(name, known) or f'define it: <machine name="{name}" address="…"/>',
         fix=_fix(problem, view, name, closest(name, known)),
-        cause="" if known else f"no machine {name}, {fragment}",
+        cause="" if known else f"no machine {name}, {fragment or whole is not None}",
     )
 
 
