@@ -10,6 +10,7 @@ from launchlint.source import Span
 
 NAME = re.compile(r"[^\s<>/=\"'&;]+")
 CONFLICT = re.compile(r"(?:<{7}|={7}|>{7})(?=[ \r\n]|$)")
+UNRESOLVED = "an unresolved merge conflict"
 _SPACE = re.compile(r"[ \t\r\n]*")
 _ATTRIBUTE_NAME = re.compile(r"""[^\s=/><]+""")
 _TAG_NAME = re.compile(r"""[^\s=/>"'<]+""")
@@ -28,7 +29,7 @@ class Verdict(NamedTuple):
 
 def conflict_verdict(span: Span) -> Verdict:
     """The verdict for a line that a merge left behind."""
-    return Verdict("an unresolved merge conflict", span, "choose one side and remove the lines with <<<<<<<, ======= and >>>>>>>")
+    return Verdict(UNRESOLVED, span, "choose one side and remove the lines with <<<<<<<, ======= and >>>>>>>")
 
 
 class Token(NamedTuple):

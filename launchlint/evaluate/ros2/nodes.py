@@ -33,6 +33,9 @@ if TYPE_CHECKING:
     from launchlint.evaluate.ros2.started import Value as StartValue
     from launchlint.model import Role
 
+_CONTAINERS = "component_container"
+"""How the programs of rclcpp_components begin that others load nodes into, however they are started."""
+
 
 class Named(NamedTuple):
     """A name and an absolute namespace; None where launch gives none."""
@@ -73,7 +76,7 @@ def node(walk: Walk, action: described.Node) -> None:
         walk.receivers.append(
             Receiver(
                 fate.full_name,
-                action.kind == "container",
+                action.kind == "container" or text_of(executable).startswith(_CONTAINERS),
                 tuple(sources),
                 anonymous=action.name is not None and is_anonymous(action.name),
                 program=text_of(executable),

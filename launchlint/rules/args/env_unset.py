@@ -5,11 +5,12 @@ Variables that every login or ROS installation sets are not told of, nor those t
 `package.xml` needs. Others may be set on the robot and not where this check runs; `env:` in `.launchlint.yaml` gives them a value for the
 check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
 file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it or a comment of the launch file names the variable (then
-people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), or tells one robot from the others (`ROBOT_IP`, `UAV_NAME`, `LIDAR_PORT`),
-where a public package sets it that nothing here names, where three or more launch files read it, or two and none of all has a default for
-it, or one without a default does at two places, and where the launch files read three or more variables of one first word (`SITE_MAP`,
-`SITE_DOCK` …), none with a default: it is the project's own. It is one, too, where the variable is the default of an arg, or chooses one of
-several files of a directory (`$(find site)/maps/$(env SITE).yaml`): then it is an input of whoever starts the file.
+people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), or tells one robot from the others (`ROBOT_IP`,
+`UAV_NAME`, `LIDAR_PORT`), where a public package sets it that nothing here names, where three or more launch files read it, or two and
+none of all has a default for it, or one without a default does at two places, and where the launch files read three or more variables of
+one first word (`SITE_MAP`, `SITE_DOCK` …), none with a default: it is the project's own. It is one, too, where the variable is the default
+of an arg, or chooses one of several files of a directory (`$(find site)/maps/$(env SITE).yaml`): then it is an input of whoever starts the
+file.
 
 ## Why it matters
 

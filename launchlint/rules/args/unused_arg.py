@@ -189,7 +189,12 @@ def _is_in_comment(source: Source, name: str) -> bool:
 
 
 def _is_used_by_program(text: str, name: str) -> bool:
-    """Whether a launch file in Python keeps the arg in a variable that it uses, perhaps in a loop or branch that is not run."""
+    """Whether a launch file in Python keeps the arg in a variable that it uses, or hands it on right where it reads it, perhaps in a loop
+    or branch that is not run.
+    """
+    read = rf"""LaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']{re.escape(name)}["']"""
+    if re.search(rf"""^(?!\s*\w+\s*=\s*{read})[^#\n]*\b{read}""", text, re.MULTILINE) is not None:
+        return True
     found = re.search(rf"""\b(\w+)\s*=\s*LaunchConfiguration\(\s*["']{re.escape(name)}["']""", text)
     return found is not None and len(re.findall(rf"(?<![\w.'\"])(?:self\.)?{found[1]}(?![\w'\"])(?!\s*=[^=])", text)) > 0
 

@@ -7,7 +7,7 @@ former is in a package that rosbuild builds, or the package of the latter lies i
 nobody knows here. The same two programs with the same two types are told of once, also where several launch files start them, and so are
 all programs that take one of two such names for the other. In ROS 2 types of different names never meet, whatever is in them; it is an
 info where they differ as those of two releases of a public program do, whose messages moved to a package of their own (`turtlesim/msg/Pose`
-and `turtlesim_msgs/msg/Pose`).
+and `turtlesim_msgs/msg/Pose`), or whose speeds got a header with Jazzy (`Twist` and `TwistStamped`).
 
 ## Why it matters
 
@@ -60,6 +60,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL611", "type-mismatch", Severity.ERROR)
+_WITH_HEADER = frozenset(("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"))
 _NUMBER = late(r"\d+")
 """Programs and names for each of several robots are told together."""
 _WHAT_HAPPENS_2 = {
@@ -153,15 +154,18 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
 
 def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:
     """Why the type of ``other``, a public program, may be that of ``own``, which is read here, in the release that this is written for:
-    their messages moved to a package of their own (turtlesim, turtlesim_msgs). Empty where nothing says so.
+    their messages moved to a package of their own (turtlesim, turtlesim_msgs), or those for speeds got a header (since Jazzy). Empty where
+    nothing says so.
     """
     if not own.is_read_here or other.is_read_here:
         return ""
+    program = view.once(owners)[id(other)].program
+    if {own.type, other.type} == _WITH_HEADER:
+        return f"with Jazzy the speeds got a header, and what is known of {program} is what one release does"
     (mine, _, message), (theirs, _, same) = own.type.partition("/"), other.type.partition("/")
     short, long = sorted((mine, theirs), key=len)
     if message != same or long not in (f"{short}_msgs", f"{short}_interfaces"):
         return ""
-    program = view.once(owners)[id(other)].program
     return f"messages of {short} and {long} are of different releases, and what is known of {program} is what one of them does"
 
 

@@ -15,6 +15,7 @@ and about `..` that leads out of a package; that is an info where no package hol
 do not. What stands in many places is told once, and so are all relative names.
 
 In ROS 2 it speaks about absolute paths of includes, paths below a home directory and `~`: relative names are told by LL401 and LL502.
+It is an info where a launch file in Python reads variables of the environment, with which it may take another path.
 
 ## Why it matters
 
@@ -67,6 +68,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.rules.edits import Spot, fix, set_value
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import cause_of
+from launchlint.rules.judging.python_text import reads_environment
 from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, of_ros2
@@ -81,6 +83,7 @@ RULE = Rule("LL406", "non-portable-path", Severity.WARNING, fixable="safe")
 _ATTRIBUTES = {"include": ("file",), "rosparam": ("file",), "param": ("textfile", "binfile")}
 _TEXTS = {"arg": ("value", "default"), "param": ("value",), "node": ("args",), "test": ("args",), "env": ("value",)}
 _ALIKE = "; the others alike"
+_CHOSEN = "this launch file reads variables of the environment, with which it may take another one"
 _HOME = r"(?<![\w.$/\\-])(?:/home/|/Users/)[\w.-]+/"
 _TILDE = r"(?<![\w.$/\\-])~/(?:\.[\w-]|(?:[\w. -]+/)*[\w-]+\.[A-Za-z]\w{0,5}\b)[^\s\"';,:]*"
 """``~/.ros/x`` or ``~/maps/hall.yaml``; ``~/scan`` may well be a topic."""
@@ -134,15 +137,17 @@ def _ros2(view: FileView) -> Iterator[Finding]:
         if fault is not None and text.place.source.file.endswith(".py") and fault.cause not in text.place.source.text:
             continue  # a program has read it from a file, where it may be a comment
         if fault is None and kind == "include" and plain.startswith("/") and not _is_in_container(plain, view):
-            fault = _absolute(plain, kind)
+            made = text.place.source.file.endswith(".py") and f"/{plain.split('/')[1]}/" not in text.place.source.text
+            fault = None if made else _absolute(plain, kind)  # what begins with the HOME of who checks is written nowhere
             fault = None if fault is None else fault._replace(help=f"write {share}", instead="")
         if fault is not None:
             missing = (
                 cause_of(plain, None) if kind == "include" and plain.startswith("/") and "$" not in plain and not exists(plain) else ""
             )
+            chosen = reads_environment(text.place)
             yield RULE.at(
-                text.place, fault.message, severity=fault.severity, label="not portable", notes=(fault.note,), help=fault.help,
-                cause=fault.cause, shared_cause=missing,
+                text.place, fault.message, severity=Severity.INFO if chosen else fault.severity, label="not portable",
+                notes=(fault.note, *((_CHOSEN,) if chosen else ())), help=fault.help, cause=fault.cause, shared_cause=missing,
             )  # fmt: skip
 
 

@@ -127,8 +127,8 @@ def _own_switches(first: Node, second: Node, view: LaunchView) -> list[str]:
 
 
 def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
-    """What all nodes that meet share: the args that are tried, the node of an included file whose name others use, or else the two includes
-    that they come from, or the name.
+    """What all nodes that meet share: the args that are tried, the node of an included file whose name others use, the include that brings
+    the second one beside what is there already, or else the name.
     """
     if tried:
         return f"{view.launch.entry.path} {tried}"
@@ -136,8 +136,11 @@ def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
         return f"included {first.origin.place.key}"
     if first.origin.chain == second.origin.chain and first.origin.place.source is second.origin.place.source:
         return f"{[each.key for each in (first.origin.place, *first.origin.chain)]} {second.origin.place.source.path}"
-    ways = (place.key for node in (first, second) for place in node.origin.chain)
-    return f"{second.origin.place.source.path} {[*ways]}"
+    there, brought = first.origin.chain, second.origin.chain
+    shared = next((at for at, (one, other) in enumerate(zip(there, brought, strict=False)) if one != other), min(len(there), len(brought)))
+    if len(brought) > shared:
+        return f"brought by {brought[shared].key}"
+    return f"{second.origin.place.source.path} {[place.key for place in there]}"
 
 
 def _are_equal(first: Node, second: Node, view: LaunchView) -> bool:

@@ -3,10 +3,10 @@
 What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number for
 a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a list or
 a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as one, also
-where the file was copied, and so is the same value of the same param in several files, or one number that several params of a program
-cannot hold. An empty text is an info: it is a way to say that the param is not set. So is a value that says the same as the default that
-the node falls back to: `1e-3`, a text for YAML, where the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and
-0 for a bool of which no default is known.
+where the file was copied, and so is the same value of the same param in several files, or all numbers that params of one program round. An
+empty text is an info: it is a way to say that the param is not set. So is a value that says the same as the default that the node falls
+back to: `1e-3`, a text for YAML, where the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and 0 for a bool of
+which no default is known.
 
 In ROS 2 a node takes no other type than the one it declares a param with: that is an error, and so is a value beyond the range that it
 declares, or none of those that it allows. An integer for a double is told by LL906. A placeholder that a tool replaces, `__RATE__`, is an
@@ -131,7 +131,7 @@ def _refused(view: GraphView) -> Iterator[Finding]:
 def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:
     """The findings about one file share a cause, also with those about a copy of it: all params in it that are wrong in the same way.
 
-    So do those of one program to which one number is given that is no whole one: it was copied from param to param; and all
+    So do those of one program to which numbers are given that are no whole ones: whoever did so took its params for doubles; and all
     products and quotients, which whoever writes one expects roslaunch to compute; and all lists that a package is given by `<param>`.
     """
     in_file: dict[tuple[str, str], set[str]] = {}
@@ -141,7 +141,7 @@ def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Find
     causes = {file: f"{', '.join(sorted(mistakes))} in a file" for file, mistakes in in_file.items() if len(mistakes) > 1}
     for setting, finding in found:
         of_file = causes.get(_file(setting, finding)) if setting.tag == "rosparam" else None
-        of_value = f"{finding.topic.partition(' ')[0]} {shown(setting.value)}" if finding.label == _ROUNDED else ""
+        of_value = f"{finding.topic.partition(' ')[0]} {_ROUNDED}" if finding.label == _ROUNDED else ""
         if isinstance(setting.value, str) and _PRODUCT.fullmatch(setting.value):
             of_value = f"{finding.label}: a calculation, which nobody makes"
         elif setting.tag == "param" and isinstance(setting.value, str) and _LIST.fullmatch(setting.value.strip()):

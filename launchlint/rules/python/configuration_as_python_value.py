@@ -92,4 +92,5 @@ def tell(problem: ConfigurationAsPythonValue, view: object) -> Iterator[Finding]
         notes=stops("a TypeError") if problem.refused else (note,),
         help="give the substitution itself to an action, or leave this out" if idle else _ADVICE[problem.use],
         topic=problem.use,
+        cause=f"{problem.place.source.path} {problem.use} {idle}",
     )

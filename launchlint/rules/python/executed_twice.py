@@ -57,5 +57,5 @@ def tell(problem: ExecutedTwice, view: object) -> Iterator[Finding]:
         severity=level(problem),
         notes=stops("a RuntimeError: executed more than once"),
         help="make a source of its own for each include of this file" if included else "make an object of its own for each place",
-        cause=f"{problem.place.source.path} {problem.place.span.start}",
+        cause=problem.place.source.path,
     )

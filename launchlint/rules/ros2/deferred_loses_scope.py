@@ -57,13 +57,13 @@ def tell(problem: ScopeLost, view: object) -> Iterator[Finding]:
     when, waiting = ("the timer fires", f"the {words.tag('timer')}") if timer else (f"this is executed ({problem.later})", "what waits")
     if not name:
         message = f"this is not started in {value}: the group has ended when {when}"
-        label, cause = f"in {instead or '/'} instead", f"{problem.place.source.path} namespace {value}"
+        label, cause = f"in {instead or '/'} instead", f"{problem.place.source.path} {problem.later}"
     elif instead is None:
         message = f"{name} is not set any more when {when}: the group has ended by then"
         label, cause = "not set any more", ""
     else:
         message = f"{name} is not {value} when {when}, but {instead}: the group has ended by then"
-        label, cause = f"{instead} by then", f"{problem.place.source.path} {name}"
+        label, cause = f"{instead} by then", f"{problem.place.source.path} {problem.later}"
     gone = bool(name) and instead is None
     yield RULE.at(
         problem.origin,

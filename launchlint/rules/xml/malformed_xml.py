@@ -52,6 +52,7 @@ from launchlint.rules.judging.template import has_placeholder, is_called_templat
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import MalformedXml
 from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, TooDeep
+from launchlint.syntax.tags import UNRESOLVED
 
 RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")
 TEMPLATE = "template"
@@ -114,11 +115,17 @@ def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: 
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for all files whose comments begin with a ``#``: a belief about XML, not a slip in each of them."""
-    commented = [each for each in findings if each.topic == HASH]
-    yield from (each for each in findings if each.topic != HASH)
-    for severity in sorted({each.severity for each in commented}):
-        several = [each for each in commented if each.severity is severity]
+    """One for all files whose comments begin with a ``#``, a belief about XML and no slip in each of them; and one for all that were
+    committed in the middle of a merge.
+    """
+    alike: dict[tuple[Severity, str], list[Finding]] = {}
+    for finding in findings:
+        kind = UNRESOLVED if finding.message.endswith(UNRESOLVED) else finding.topic if finding.topic == HASH else ""
+        if kind:
+            alike.setdefault((finding.severity, kind), []).append(finding)
+        else:
+            yield finding
+    for several in alike.values():
         yield joined(several) if len(several) > 1 else several[0]
 
 
