@@ -10,7 +10,7 @@ from launchlint.workspace.looking import walk
 from launchlint.workspace.texts import texts
 
 _ENDS = (".launch", ".xml", ".machine", ".machines", ".test")
-_MOST_DIRECTORIES = 400
+_MOST_DIRECTORIES = 2_000
 _MOST_FILES = 600
 # No grammar, a look through whole files: that a machine is defined somewhere is a reason for less, never for more.
 _MACHINE = late(r"<machine\b[^<>]{0,1000}?\bname\s*=\s*[\"']([^\"'$<>]{1,200})[\"']")

@@ -11,7 +11,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import walk
 from launchlint.workspace.texts import texts
 
-_MOST_DIRECTORIES = 400
+_MOST_DIRECTORIES = 2_000
 _MOST_FILES = 600
 _SHELL_ENDS = (".sh", ".bash", ".zsh", ".env", ".service", ".rc", ".bashrc", ".zshrc")
 _SOURCE_ENDS = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")

@@ -4,10 +4,10 @@ What it does: it compares the frames whose transforms the nodes publish, as far 
 `static_transform_publisher`s of tf and tf2_ros, of localizers and SLAM nodes that the library knows (map → odom), and of the fixed joints
 of a plain URDF that a `robot_state_publisher` gets. It is an error where two static publishers hang one frame below two parents, an info
 where they say the same twice (a fixed joint and a static publisher with the same numbers do, too), or where one of the two is published
-upon a message that nothing in the launch sends, and a warning elsewhere. Two publishers are told of once, with all the frames that both
-publish, and so are all static publishers of one file that say again what one node publishes, and the same programs in several launch
-files. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in the launch the rule is
-silent.
+upon a message that nothing in the launch sends, and a warning elsewhere; and a step milder where both are started only with another value
+of an arg than its default. Two publishers are told of once, with all the frames that both publish, and so are all static publishers of
+one file that say again what one node publishes, and the same programs in several launch files. Nodes whose `/tf` is remapped apart do not
+meet, and with a `tf_prefix` in the launch the rule is silent.
 
 ## Why it matters
 
@@ -44,7 +44,7 @@ from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.pose import are_alike
 from launchlint.rules.judging.published_frames import STATIC, Published, has_prefix, published
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import GraphView
+from launchlint.rules.view import GraphView, tried
 from launchlint.source import Origin
 
 RULE = Rule("LL622", "competing-transforms", Severity.ERROR)
@@ -67,7 +67,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         first = group[0]
         for other in group[1:]:
             if other.instance is not first.instance:
-                severity = _judged(first, other, graph)[0]
+                severity = _level(first, other, graph)
                 pairs.setdefault((severity, id(first.instance), _told_with(first, other)), []).append((first, other))
     for both in pairs.values():
         yield _finding(both, graph)
@@ -111,10 +111,16 @@ def _judged(first: Published, other: Published, graph: ConnectionGraph) -> tuple
     return severity, (effect, *([unheard] if unheard else []))
 
 
+def _level(first: Published, other: Published, graph: ConnectionGraph) -> Severity:
+    """As :func:`_judged` says, a step milder where only another value of an arg than its default starts both: they may be alternatives."""
+    severity = _judged(first, other, graph)[0]
+    return Severity(severity - 1) if severity > Severity.INFO and tried(graph.launch) else severity
+
+
 def _finding(both: Sequence[tuple[Published, Published]], graph: ConnectionGraph) -> Finding:
     """What one node and another one, or several of one file, both publish, of one severity."""
     first, other = both[0]
-    severity, notes = _judged(first, other, graph)
+    severity, notes = _level(first, other, graph), _judged(first, other, graph)[1]
     further = {id(each.instance): each for _, each in both if each.instance is not other.instance}
     frames = [each.child for _, each in both]
     more = f" and {len(frames) - MOST_NAMED} more" if len(frames) > MOST_NAMED else ""

@@ -53,7 +53,7 @@ roslaunch refuses the whole launch. It is also how a mistyped arg shows.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import islice
 
@@ -62,6 +62,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, passed_under, spot
 from launchlint.rules.judging.broken_call import MOVE, undeclared_call
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
@@ -104,6 +105,15 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         help=_help(undeclared, known, tuple(elsewhere)),
         fix=None if name in elsewhere else passed_under(view, problem.place, name, _near(name, known), "" if several else f"{LOADS}, and "),
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for the same args that one file passes, in the same words, to several files that do not declare them."""
+    alike: dict[tuple[Severity, str, str, str], list[Finding]] = {}
+    for finding in findings:
+        alike.setdefault((finding.severity, finding.location.path, finding.location.text.strip(), finding.help), []).append(finding)
+    for several in alike.values():
+        yield joined(several) if len(several) > 1 else several[0]
 
 
 def _unset_in(place: Place, view: LaunchView) -> str:

@@ -137,6 +137,7 @@ class Examples:
             for gives in self._view.graph.channels[takes.kind, takes.name].offers:
                 same = self._owners[id(gives)].program == self._owners[id(giver)].program
                 alike = same and self._are_alike(giver, gives) and _change_alike((giver, gives), (taker, takes))
+                alike = alike and (is_known(taker.type) or gives.declared == giver.declared)  # who takes any type takes any of them
                 if gives.node != takes.node and alike and gives.name != giver.name:
                     return f"{takes.node} and {gives.node} meet on {takes.name} as these two do not"
         return ""

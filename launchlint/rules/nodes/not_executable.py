@@ -128,7 +128,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             notes=tuple(notes),
             help=help,
             topic=path,
-            cause=f"{flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed} {wrapped} {doubtful}",
+            cause=f"{flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed} {wrapped}",
             about=(wrong,),
         )
 

@@ -40,6 +40,7 @@ def generate_launch_description():
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from launchlint.evaluate.ros2.problems import NothingToPop
@@ -87,7 +88,7 @@ def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[F
         label="raised here" if problem.stated and not problem.related else "here",
         related=problem.related,
         notes=notes,
-        cause=f"{problem.place.source.path} {problem.place.span.start} {what}",
+        cause=f"{posixpath.dirname(problem.place.source.path)} {what}",
     )
 
 

@@ -81,7 +81,7 @@ _HOW = {"passed": "was passed to another include", "default": "is the default of
 
 def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
     """Say where the value comes from (launch.actions.DeclareLaunchArgument sets a default only where nothing is set)."""
-    if not problem.left:
+    if not problem.left or _is_same_switch(problem.default, problem.value):
         return
     name, group = problem.name, words_at(problem.origin).tag("group")
     root = root_of(problem.place.source)
@@ -97,6 +97,11 @@ def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
         cause=f"{problem.setter} {problem.place.source.path}",
         about=(group,),
     )
+
+
+def _is_same_switch(default: str, value: str) -> bool:
+    """Whether both say true, or both false, in the ways of Python and of XML."""
+    return default.lower() == value.lower() in ("true", "false")
 
 
 def together(findings: Sequence[Finding]) -> Finding:

@@ -2,7 +2,8 @@
 
 A `respawn_delay` without `respawn="true"` or below zero, `required` on a `<test>`, `if` or `unless` on `<launch>`, a
 `<group>` without anything in it, and a `<rosparam>` with neither a file nor text. A group in which everything is commented out is an
-info: somebody keeps it as a place for that. So is one without attributes below a comment that says what belongs there.
+info: somebody keeps it as a place for that. So is one without attributes below a comment that says what belongs there, and one with a
+namespace among several that hold nothing but params, with or without an empty `<rosparam>`: it keeps the place of params.
 
 ## Why it matters
 
@@ -42,6 +43,9 @@ from launchlint.syntax.problems import IneffectiveAttribute
 
 RULE = Rule("LL113", "ineffective-attribute", Severity.WARNING, fixable="safe")
 
+_PARAMS = ("param", "rosparam")
+_SEVERAL = 2
+
 # Reason → message, label, help.
 WORDS = {
     "respawn-delay-without-respawn": (
@@ -71,6 +75,11 @@ WORDS = {
         "nothing in it",
         "nothing needs to be done while it is kept for what the comment above it speaks of; else remove both",
     ),
+    "place-of-params": (
+        "this <{tag}> holds no params",
+        "nothing in it",
+        "nothing needs to be done while it keeps the place of params, as others beside it have them; else remove it",
+    ),
     "empty-rosparam": ("this <rosparam> loads nothing", "neither file nor text", 'add file="…" or YAML text, or remove it'),
 }
 
@@ -80,7 +89,10 @@ def tell(problem: IneffectiveAttribute, view: object) -> Iterator[Finding]:
     at = spot(view, problem.place)
     reason: str = problem.reason
     kept = "" if reason != "empty-group" else "commented-out-group" if _is_commented_out(at) else "kept-group" if _has_heading(at) else ""
-    message, label, advice = (words.format(attribute=problem.attribute) for words in WORDS[kept or reason])
+    if not kept and reason in ("empty-group", "empty-rosparam") and _keeps_place(at):
+        kept = "place-of-params"
+    tag = "" if at is None else at.element.tag
+    message, label, advice = (words.format(attribute=problem.attribute, tag=tag) for words in WORDS[kept or reason])
     yield RULE.at(
         problem.origin,
         message,
@@ -88,7 +100,7 @@ def tell(problem: IneffectiveAttribute, view: object) -> Iterator[Finding]:
         label=label,
         help=advice,
         topic=reason,
-        fix=None if kept == "kept-group" else _fix(reason, at),
+        fix=None if kept in ("kept-group", "place-of-params") else _fix(reason, at),
     )
 
 
@@ -98,6 +110,15 @@ def _is_commented_out(at: Spot | None) -> bool:
         return False
     inside = at.document.place(at.element.span).text[at.element.start_span.end - at.element.span.start :]
     return re.search(r"<[A-Za-z]", inside) is not None
+
+
+def _keeps_place(at: Spot | None) -> bool:
+    """Whether a group with a namespace, or what alone is in it, stands among several that hold nothing but params: it keeps their place."""
+    group = None if at is None else at.element if at.element.tag == "group" else at.element.parent
+    if group is None or group.parent is None or not group.get("ns") or len(group.children) > 1:
+        return False
+    beside = (each for each in group.parent.children if each is not group and each.tag == "group" and each.get("ns") and each.children)
+    return sum(all(child.tag in _PARAMS for child in each.children) for each in beside) >= _SEVERAL
 
 
 def _has_heading(at: Spot | None) -> bool:
