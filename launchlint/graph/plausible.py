@@ -84,6 +84,9 @@ class Strangers:
     def who(self, name: str, type_: str) -> Iterator[Possible]:
         """Who could have ``name`` with the type ``type_`` (empty: any): first those of which something says so."""
         parents = list(around(name))
+        for full in parents:
+            if full in self._by_node and name not in self._by_node[full].moved:
+                yield self._by_node[full].possible._replace(named=True)  # what lies below its own name
         for full in (name, *parents):
             for stranger in islice(self._named.get(full, ()), MOST_LOOKED_AT):
                 if name not in stranger.moved:
@@ -148,13 +151,16 @@ class Strangers:
         return found
 
     @cached_property
+    def _by_node(self) -> Mapping[str, _Stranger]:
+        return {stranger.possible.node: stranger for stranger in self._all if stranger.possible.node}
+
+    @cached_property
     def _programs(self) -> Mapping[str, Mapping[str, _Stranger]]:
         """For each program whose sources were read, and each namespace that it runs in, one of its nodes."""
         found: dict[str, dict[str, _Stranger]] = {}
-        by_name = {stranger.possible.node: stranger for stranger in self._all}
         for instance in self._instances:
-            if instance.literals and instance.name in by_name:
-                stranger = by_name[instance.name]
+            if instance.literals and instance.name in self._by_node:
+                stranger = self._by_node[instance.name]
                 found.setdefault(instance.program, {}).setdefault(stranger.namespace or "", stranger)
         return found
 

@@ -116,8 +116,7 @@ class LooseEnds:
             ends = {end.node for end in (channel.offers if offers else channel.uses)}
             found = (self.graph.may_use if offers else self.graph.may_offer)(channel.kind, channel.name, type_)
             found = tuple(each for each in found if {each.node} != ends)  # what a node says or hears is for somebody else
-            named = any(each.named or (each.node and channel.name.startswith(f"{each.node}/")) for each in found)
-            self._possible[key] = None if named else found  # what lies below the name of a node that may have more is its own
+            self._possible[key] = None if any(each.named for each in found) else found
         return self._possible[key]
 
     def _meant(self, end: Endpoint, doubts: tuple[Possible, ...]) -> Missed | None:
