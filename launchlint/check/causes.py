@@ -19,6 +19,8 @@ _SHORTEST_LINE = 40
 """Characters of a line that two people would not write alike by chance."""
 _SHORTEST_HABIT = 20
 """Characters of one that stands in several files alike, not by chance."""
+_LONGEST_SAYING = 80
+"""Characters from which nobody says the same of two places by chance: it names what one copied from the other."""
 _SEVERAL = 3
 
 
@@ -62,7 +64,7 @@ def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
     found: dict[object, list[list[Finding]]] = {}
     for group in groups:
         first = spokesman(group)
-        line = first.location.text.strip()
+        line = first.message if len(first.message) >= _LONGEST_SAYING else first.location.text.strip()
         copied = len(line) >= _SHORTEST_LINE
         habit = not copied and len(line) >= _SHORTEST_HABIT and all(each.message == first.message for each in group)
         same = (first.rule, first.severity, first.message, first.help, line, copied) if copied or habit else id(group)

@@ -21,9 +21,10 @@ NOTE = "{} is a copy of a public package, and that is where to mend it"
 NAMED = "{} is called as a public package, and says that it is from elsewhere: that is where to mend it"
 SIGNED = "{} has a licence, of people who made none of the packages here that have none: that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
+WITHOUT = "{} is another project, which is kept here without a package.xml, and that is where to mend it"
 _ENDS = (".launch", ".xml", ".test", ".py", ".yaml", ".yml")
 """Of launch files, and of what they load."""
-_UNTIDY = frozenset(("LL111", "LL206", "LL210", "LL303", "LL411", "LL504", "LL507", "LL508", "LL601", "LL623", "LL702"))
+_UNTIDY = frozenset(("LL111", "LL115", "LL206", "LL210", "LL303", "LL411", "LL504", "LL507", "LL508", "LL601", "LL623", "LL702"))
 """By their IDs: in most runs none of these modules has to be loaded for this. LL701 says it itself, since it proposes a line."""
 
 
@@ -62,12 +63,23 @@ class _Origins:
 
     def of(self, path: str) -> _Origin:
         """Of the package of the file that is shown as ``path``."""
-        package = self._known.packages.package_of(self._known.file(path))
+        file = self._known.file(path)
+        package = self._known.packages.package_of(file)
         if package is None:
-            return _OWN
+            return self._without_package(posixpath.dirname(file))
         if package.directory not in self._of:
             self._of[package.directory] = _origin(package, self._known.packages)
         return self._of[package.directory]
+
+    def _without_package(self, directory: str) -> _Origin:
+        """Of what lies in no package, be it that its ``package.xml`` has another name until it is built."""
+        from launchlint.rules.judging.projects import kept_without_package
+
+        if directory not in self._of:
+            project = kept_without_package(directory, self._known.packages)
+            name = posixpath.basename(project)
+            self._of[directory] = _Origin(WITHOUT.format(name), project) if project else _OWN
+        return self._of[directory]
 
     def alone_lead_to(self, finding: Finding, origin: _Origin) -> bool:
         """Whether only launch files of the copy lead to ``finding``, or of copies that are public as it is."""

@@ -20,7 +20,8 @@ _MOST_NAMED = 6
 
 
 def told_of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for all packages that lack something, where these are several; else one for those that lack the same two or more packages.
+    """One for all packages that lack something, where these are several, or two of which one lacks more than the other does and all of
+    that; else one for those that lack the same two or more packages.
 
     Of the former nobody declares what launch files use; of the latter one was made after the other, or is the same, kept twice: two
     packages have to lack three. ``findings`` are about one ``package.xml`` each; :attr:`Finding.about` says how many packages it
@@ -29,7 +30,7 @@ def told_of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """
     once = list(_of_one_name(findings))
     habit = [each for each in once if each.severity is Severity.WARNING and posixpath.basename(each.location.path) == _MANIFEST]
-    if len(habit) >= _HABIT:
+    if len(habit) >= _HABIT or (len(habit) > 1 and _lacks_more(habit)):
         yield _habitual(habit)
         once = [each for each in once if each not in habit]
     alike: dict[tuple[Severity, tuple[str, ...]], list[Finding]] = {}
@@ -54,6 +55,12 @@ def _of_one_name(findings: Sequence[Finding]) -> Iterator[Finding]:
             told = joined(several, most)
             several = [told._replace(message=_say(len(several), most.about)) if most.about else told]
         yield from several
+
+
+def _lacks_more(findings: Sequence[Finding]) -> bool:
+    """Whether one package lacks all that the others lack, and more."""
+    most = max(findings, key=lambda each: len(_lacking(each)))
+    return all(each is most or _lacking(each) < _lacking(most) for each in findings)
 
 
 def _habitual(findings: Sequence[Finding]) -> Finding:

@@ -167,6 +167,14 @@ def kept_whole(home: Package, packages: Packages) -> str:
     return "" if home.manifest is None else projects.around(home.directory)
 
 
+def kept_without_package(directory: str, packages: Packages) -> str:
+    """The directory (absolute) around ``directory``, which lies in no package, that is the root of a project; else empty.
+
+    Such a directory has a licence and a README of its own, and several packages of the workspace lie outside of it.
+    """
+    return packages.once(_Projects).bare_around(directory)
+
+
 class _Below:
     """Packages by their directories: which there are below another directory is found without going through all of them."""
 
@@ -200,6 +208,19 @@ class _Projects:
             found, looked = self._found[directory]
             note(looked)
             if found:
+                return directory
+            directory = posixpath.dirname(directory)
+        return ""
+
+    def bare_around(self, home: str) -> str:
+        """The nearest one around the directory ``home`` in which no package lies; empty: there is none."""
+        directory = home
+        while any(directory.startswith(f"{root}/") for root in self._roots):
+            if self._below.of(directory):
+                return ""
+            listed = names(directory)
+            shown = _has_readme(listed) and _is_licensed_directory(listed)
+            if shown and len(self._outside(directory)) >= _SOME:
                 return directory
             directory = posixpath.dirname(directory)
         return ""
@@ -258,7 +279,7 @@ class _Projects:
             return _has_readme(listed) or len(self._below.of(directory)) > 1
         if not _OF_ROOTS.isdisjoint(listed):
             return True
-        licensed = not _LICENCES.isdisjoint(each.partition(".")[0].lower() for each in listed)
+        licensed = _is_licensed_directory(listed)
         manifest = self._manifests.get(directory)
         if not licensed or (manifest is not None and not _is_public(manifest.name)):
             return False
@@ -363,6 +384,10 @@ def _of_template(people: frozenset[str]) -> frozenset[str]:
 
 def _is_in(package: str, directory: str) -> bool:
     return f"{package}/".startswith(f"{directory}/")
+
+
+def _is_licensed_directory(listed: Iterable[str]) -> bool:
+    return not _LICENCES.isdisjoint(each.partition(".")[0].lower() for each in listed)
 
 
 def _has_readme(listed: Iterable[str]) -> bool:
