@@ -63,7 +63,7 @@ from launchlint.evaluate.ros2.problems import ArgUnused
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.rules.edits import fix, remove_element, spot
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.one_interface import taken_beside
 from launchlint.rules.rule import Rule
@@ -241,8 +241,8 @@ def _written(place: Place, name: str) -> Place:
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """The args of one cause, by their names."""
-    result = joined(findings)
+    """The args of one cause, by their names, told in a file that leaves most of them unread."""
+    result = joined(findings, _where_most_are(findings))
     names = list(dict.fromkeys(name_of(finding) for finding in findings if finding.rule == RULE.id))
     if len(names) < 2:
         return result
@@ -256,6 +256,19 @@ def together(findings: Sequence[Finding]) -> Finding:
         help=f"remove them here and in the includes that pass them, or use them as {written}",
         about=tuple(names),
     )
+
+
+def _where_most_are(findings: Sequence[Finding]) -> Finding:
+    """The one that speaks for all, or where another file leaves more of the args unread, the first of that file."""
+    first = spokesman(findings)
+    names: dict[str, set[str]] = {}
+    for finding in findings:
+        if finding.rule == RULE.id and finding.severity is first.severity:
+            names.setdefault(finding.location.path, set()).add(name_of(finding))
+    most = max(names, key=lambda path: (len(names[path]), path == first.location.path), default="")
+    if first.rule != RULE.id or most == first.location.path:
+        return first
+    return next(each for each in findings if each.location.path == most and each.rule == RULE.id and each.severity is first.severity)
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
