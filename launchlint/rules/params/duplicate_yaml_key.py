@@ -41,10 +41,12 @@ costmap:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import YamlDuplicateKey
 from launchlint.finding import Finding, Severity
+from launchlint.plural import listed
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
@@ -53,6 +55,7 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.problems import KeyTwice
 
 RULE = Rule("LL513", "duplicate-yaml-key", Severity.WARNING)
+_MOST_NAMED = 6
 _MOST_ALIKE = 20
 """Keys by which a copy is recognised."""
 
@@ -65,11 +68,21 @@ def tell(problem: YamlDuplicateKey | KeyTwice, view: object) -> Iterator[Finding
         f"the key {key} stands twice with the same value" if same else f"the key {key} stands twice: the first value is lost",
         severity=Severity.INFO if same else None,
         label="the last one counts",
-        related=problem.related,
+        # Of a text with substitutions only the element is known.
+        related=tuple(each for each in problem.related if each[0] != problem.place),
         topic=key,
         cause=f"{problem.place.source.path} same" if same else _twice(problem, view),
         help="remove one of the two" if same else "remove one of the two, or merge what is below them",
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """The keys of one cause by their names: those of a text with substitutions have one place."""
+    told, keys = joined(findings), list(dict.fromkeys(each.topic for each in findings))
+    if len(keys) < 2 or len({each.location for each in findings}) > 1:
+        return told
+    what = " with the same values" if told.severity is Severity.INFO else ": the first values are lost"
+    return told._replace(message=f"the keys {listed(keys, _MOST_NAMED)} stand twice{what}")
 
 
 def _twice(problem: YamlDuplicateKey | KeyTwice, view: object) -> str:
