@@ -54,9 +54,9 @@ def child_namespace(namespace: str, name: str | None) -> str:
 
 def is_legal(name: str) -> bool:
     """Whether roslaunch takes ``name`` for a legal graph name; the empty name is (rosgraph.names.is_legal_name)."""
-    return name == "" or (_LEGAL_UNICODE.fullmatch(name) is not None and "//" not in name)
+    return not name or (_LEGAL_UNICODE.fullmatch(name) is not None and "//" not in name)
 
 
 def is_portable(name: str) -> bool:
     """Whether roscpp and rospy both take ``name``: as :func:`is_legal`, in ASCII."""
-    return name == "" or (_LEGAL.fullmatch(name) is not None and "//" not in name)
+    return not name or (_LEGAL.fullmatch(name) is not None and "//" not in name)

@@ -137,8 +137,8 @@ def moved(changes: Difference) -> Mapping[str, str]:
     """Nodes that have gone, and the new node that each seems to be now: the same program under the same last name, and no other."""
     removed = _grouped(changes.nodes_removed, lambda node: (node.name.rpartition("/")[2], node.program))
     added = _grouped(changes.nodes_added, lambda node: (node.name.rpartition("/")[2], node.program))
-    pairs = ((old, added.get(key, ())) for key, old in removed.items())
-    return {old[0].name: new[0].name for old, new in pairs if len(old) == 1 and len(new) == 1}
+    pairs = ((old, added.get(key, [])) for key, old in removed.items())
+    return {old[0].name: new[0].name for old, new in pairs if (len(old), len(new)) == (1, 1)}
 
 
 def is_default(item: TopologyNode | Connection, topology: Topology) -> bool:

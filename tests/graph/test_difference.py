@@ -156,6 +156,16 @@ def test_a_name_that_another_declaration_has_now_is_what_is_shown() -> None:
     assert lost(difference(before, after)) == ["/a publisher /x of /b (1), now /x", "/b subscriber /x of /a (1), now gone"]
 
 
+def test_of_several_names_that_it_has_now_the_first_is_shown() -> None:
+    before = tiny.topology("/a > out=/x", "/b < /x", configurations=CONFIGURATIONS)
+    after = tiny.topology("/a > out=/y @-", "/a > out=/z @sim:=true", "/b < /x", configurations=CONFIGURATIONS)
+    assert lost(difference(before, after))[0] == "/a publisher /x of /b (1), now /y"
+    other = tiny.topology("/a > left=/x", "/a > right=/x", "/b < /y", configurations=CONFIGURATIONS)
+    after_all = difference(before, other).lost[0].after
+    assert after_all is not None
+    assert (after_all.declared, after_all.name) == ("left", "/x")
+
+
 def test_a_loss_that_shows_by_default_only_where_there_was_one_configuration() -> None:
     before = tiny.topology("/a > /x", "/b < /x")
     after = tiny.topology("/a > /x @sim:=true", "/b < /x", configurations=CONFIGURATIONS)
@@ -226,6 +236,7 @@ def test_a_node_in_another_namespace_is_seen_again() -> None:
 def test_one_node_that_two_could_be_is_not_seen_again() -> None:
     one, two = tiny.topology(nodes=[tiny.node("/driver")]), tiny.topology(nodes=[tiny.node("/a/driver"), tiny.node("/b/driver")])
     assert (moved(difference(one, two)), moved(difference(two, one))) == ({}, {})
+    assert moved(difference(one, tiny.topology())) == {}, "nor is one that has only gone"
 
 
 def test_a_node_that_talks_to_nobody_is_a_change() -> None:
