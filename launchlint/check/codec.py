@@ -5,13 +5,14 @@ JSON and not pickle, since a cache directory may be restored from somewhere else
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import FileResult, Guarded
+from launchlint.check.in_order import ReadOnce, to_text
 from launchlint.check.options import EntryRequest
 from launchlint.finding import Edit, Finding, Fix, Location, Related, Severity
-from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary
 from launchlint.sight import Followed, Sight, Unseen
 from launchlint.source import Span
@@ -69,7 +70,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
         result.verdict,
         result.error,
         [_finding_to_json(finding) for finding in result.findings],
-        [list(fine) for fine in result.fine],
+        list(map(to_text, result.fine)),
         result.visited,
         [file.key for file in result.files],
         [
@@ -77,7 +78,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
             summary.refused,
             summary.included,
             [[*call[:3], call.location, call.known] for call in summary.broken_calls],
-            summary.roots,
+            None if summary.roots == _roots(result.files) else summary.roots,
             summary.needs_caller,
             summary.undeclared_args,
             summary.calls,
@@ -97,9 +98,22 @@ def _distros(value: Any) -> tuple[tuple[str, str], ...]:
     return tuple((name, file) for name, file in value)
 
 
-def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
-    """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
+def names_of(value: Any) -> Any:
+    """The keys of the files of an entry's result, as :func:`entry_to_json` gives it."""
+    return value[6]
+
+
+def _roots(files: Iterable[FileResult]) -> tuple[tuple[str, Location], ...]:
+    return tuple((file.path, file.root) for file in files if file.root is not None)
+
+
+def entry_from_json(value: Any, request: EntryRequest, files: Mapping[str, FileResult], fine_of: ReadOnce | None = None) -> EntryResult:
+    """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError.
+
+    Where many entries are read, ``fine_of`` is the same for all of them.
+    """
     path, verdict, error, findings, fine, visited, names, summary, configurations, outcome, sight = value
+    of_files = tuple(files[name] for name in names)
     word, rule, reason, missing, elsewhere, launcher = outcome
     entry, refused, included, calls, roots, needs, undeclared, passing, starter = summary
     return EntryResult(
@@ -108,15 +122,15 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
         verdict,
         None if error is None else (error[0], error[1]),
         tuple(_finding_from_json(finding) for finding in findings),
-        tuple(Fine(*item) for item in fine),
+        tuple(map((ReadOnce() if fine_of is None else fine_of).__getitem__, fine)),
         tuple((name, tuple(indices)) for name, indices in visited),
-        tuple(files[name] for name in names),
+        of_files,
         EntrySummary(
             entry,
             refused,
             tuple(included),
             tuple(BrokenCall(target, name, missing, Location(*at), tuple(known)) for target, name, missing, at, known in calls),
-            tuple((name, Location(*location)) for name, location in roots),
+            _roots(of_files) if roots is None else tuple((name, Location(*location)) for name, location in roots),
             needs,
             undeclared,
             tuple((path, tuple((name, text) for name, text in passed)) for path, passed in passing),

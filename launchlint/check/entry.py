@@ -9,6 +9,7 @@ from functools import cached_property, partial
 from itertools import islice
 
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, check_parameters, internal_error, is_left_over, run_rule, tell
+from launchlint.check.in_order import InOrder, grouped
 from launchlint.check.listing import Listing
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody, without_tried
@@ -63,7 +64,7 @@ class EntryResult(NamedTuple):
     verdict: str
     error: tuple[str, str] | None
     findings: tuple[Finding, ...]
-    fine: tuple[Fine, ...]
+    fine: tuple[InOrder, ...]
     visited: tuple[tuple[str, tuple[int, ...]], ...]
     files: tuple[FileResult, ...]
     summary: EntrySummary
@@ -379,7 +380,7 @@ class EntryChecker:
             launch.verdict,
             error,
             tuple(findings.values()),
-            tuple(fine),
+            grouped(fine),
             tuple((known, tuple(sorted(indices))) for known, indices in visited.items()),
             tuple(files.values()),
             summary,

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
 from launchlint.check.ignores import PerFileIgnores
+from launchlint.check.in_order import Together
 from launchlint.check.known import Known
 from launchlint.check.options import Options
 from launchlint.check.ours import Ours
@@ -84,12 +85,12 @@ def merge(
     findings: dict[Key, Finding] = {}
     reached: dict[Key, set[str]] = {}
     by_default: set[Key] = set()
-    fine: set[Fine] = set()
+    fine = Together()
     visited: dict[str, set[int]] = {}
     files: dict[str, FileResult] = {}
     made_whole = _parts_in_order(entries)
     for result in entries:
-        fine.update(result.fine)
+        fine.add(result.fine)
         for path, indices in result.visited:
             visited.setdefault(path, set()).update(indices)
         for finding in result.findings:
@@ -108,7 +109,7 @@ def merge(
     collected = [
         finding._replace(entries=len(reached[key]))
         for key, finding in findings.items()
-        if Fine(finding.rule, finding.location.path, finding.location.start) not in fine
+        if not fine.has(finding.rule, finding.location.path, finding.location.start)
     ]
     own = {finding.key for finding in collected}
     of_files: dict[Key, Finding] = {}  # what several files show at one place counts as it does in the worst of them
@@ -147,8 +148,8 @@ def _parts_in_order(entries: Sequence[EntryResult]) -> dict[Fine, set[str]]:
     """What is in order in an entry file that includes others: the files that it is made of, which alone need not be whole."""
     found: dict[Fine, set[str]] = {}
     for result in entries:
-        for fine in result.fine:
-            if fine.topic:
+        for group in result.fine:
+            for fine in group.each if group.topic else ():
                 found.setdefault(fine, set()).update(path for path in result.summary.included if path != result.path)
     return found
 

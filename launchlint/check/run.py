@@ -40,7 +40,7 @@ def check_entries(
 
     ``progress`` is called with the number of entry files done, ``reading`` with that of the programs read from source, and of all these.
     """
-    if cache_directory is None or len(requests) < CACHE_PAYS or checker.session.overlay or checker.options.staged is not None:
+    if cache_directory is None or not uses_cache(requests, checker):
         _read_ahead(requests, checker, jobs, reading)
         return compute(requests, checker, EntryChecker.check, jobs, progress)
     from launchlint.check.cache import Cache
@@ -58,6 +58,11 @@ def check_entries(
         return [next(fresh) if result is None else result for result in known]
     finally:
         cache.close()
+
+
+def uses_cache(requests: Sequence[EntryRequest], checker: EntryChecker) -> bool:
+    """Whether results of these requests are kept, where there is a directory for them."""
+    return len(requests) >= CACHE_PAYS and not checker.session.overlay and checker.options.staged is None
 
 
 def _read_ahead(requests: Sequence[EntryRequest], checker: EntryChecker, jobs: int, progress: ReadingProgress | None) -> None:

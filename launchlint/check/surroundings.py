@@ -9,17 +9,17 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from launchlint import __version__
 from launchlint.check.options import Options
+from launchlint.workspace.contents import Contents
 from launchlint.workspace.looking import directory_state
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
+from launchlint.workspace.repository import LONGEST_PATH
 from launchlint.workspace.source_lists import is_source_list
 
-FORMAT = 10
+FORMAT = 11
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""
@@ -36,13 +36,20 @@ class _TooMany(Exception):
 
 
 class Surroundings:
-    """What was there. ``name`` is equal for equal surroundings, in hexadecimal; None where there are too many files to tell."""
+    """What was there. ``name`` is equal for equal surroundings, in hexadecimal; None where there are too many files to tell.
 
-    def __init__(self, options: Options, packages: Packages) -> None:
+    ``held`` says what files hold, and is told of every file that was met; ``code`` is launchlint itself (:mod:`.own_code`).
+    """
+
+    def __init__(self, options: Options, packages: Packages, held: Contents, code: str) -> None:
+        self._held = held
         self._listings: dict[str, tuple[str, ...]] = {}
+        self._names: dict[str, frozenset[str]] = {}
+        self._files: set[str] = set()
+        self._missing: dict[str, bool] = {}
         self._contents: dict[str, str] = {}
         self._said: dict[tuple[str, str], bool] = {}
-        self.name = self._digest(options, packages)
+        self.name = self._digest(options, packages, code)
 
     def say(self, path: str, state: str) -> bool:
         """Whether the name already says that this is the state (:func:`launchlint.workspace.looking.state`) of an absolute path."""
@@ -52,28 +59,51 @@ class Surroundings:
             known = self._said[key] = self._says(path, state)
         return known
 
+    def state(self, path: str) -> str | None:
+        """The state of an absolute path, where it was met: a directory, a small file, or that nothing is there; else None."""
+        if path in self._listings:
+            return directory_state(self._listings[path])
+        if self._is_missing(path):
+            return ""
+        digest = self._held.sha1(path, LARGEST_READ)
+        return None if digest is None else f"file {digest}"
+
     def _says(self, path: str, state: str) -> bool:
         if not state:
-            directory, _, name = path.rpartition(os.sep)
-            return directory in self._listings and name not in self._listings[directory]
+            return self._is_missing(path)
         if path in self._listings:
             return state == directory_state(self._listings[path])
         return path in self._contents and state == f"file {self._contents[path]}"
 
-    def _digest(self, options: Options, packages: Packages) -> str | None:
-        found = hashlib.sha256(_settings(options).encode("utf-8", "surrogateescape"))
+    def _is_missing(self, path: str) -> bool:
+        """Whether nothing is at ``path``: its name is not in a directory that was met, or it would be below a file or below nothing."""
+        known = self._missing.get(path)
+        if known is None:
+            known = self._missing[path] = len(path) <= LONGEST_PATH and self._leads_nowhere(path)
+        return known
+
+    def _leads_nowhere(self, path: str) -> bool:
+        while True:
+            directory, _, name = path.rpartition(os.sep)
+            names = self._names.get(directory)
+            if names is not None:
+                return name not in names
+            if not directory or directory in self._files:
+                return bool(directory)
+            path = directory
+
+    def _digest(self, options: Options, packages: Packages, code: str) -> str | None:
+        found = hashlib.sha256(_settings(options, code).encode("utf-8", "surrogateescape"))
         for library in options.library:
-            found.update(_content(library).encode())
-        for own in _own_code():
-            found.update(own)
+            found.update(self._content(library).encode())
         try:
-            for line in self._files(packages):
+            for line in self._lines(packages):
                 found.update(line.encode("utf-8", "surrogateescape"))
         except _TooMany:
             return None
         return found.hexdigest()[:40]
 
-    def _files(self, packages: Packages) -> Iterator[str]:
+    def _lines(self, packages: Packages) -> Iterator[str]:
         """One line for each file of the workspaces, of packages elsewhere, and of what is built or installed of all packages."""
         seen: set[tuple[int, int]] = set()
         left = [MOST_FILES]
@@ -112,7 +142,8 @@ class Surroundings:
             left[0] -= len(entries)
             if left[0] < 0:
                 raise _TooMany
-            self._listings[directory] = tuple(entry.name for entry in entries)
+            names = tuple(entry.name for entry in entries)
+            self._listings[directory], self._names[directory] = names, frozenset(names)
             yield from self._entries(entries, waiting, seen)
 
     def _entries(self, entries: Iterable[os.DirEntry[str]], waiting: list[str], seen: set[tuple[int, int]]) -> Iterator[str]:
@@ -131,37 +162,37 @@ class Surroundings:
                 if name[0] != "." and _is_new(status, seen):
                     waiting.append(entry.path)
             else:
+                self._held.seen(entry.path, status)
+                self._files.add(entry.path)
                 if _counts(name):
-                    content = self._contents[entry.path] = _content(entry.path)
+                    content = self._contents[entry.path] = self._content(entry.path)
                 yield f"{name}\0{target}\0{status.st_mode}\0{content}\n"
 
+    def _content(self, path: str) -> str:
+        """A digest of a small file, or why there is none."""
+        digest = self._held.sha1(path, LARGEST_READ)
+        if digest is not None:
+            return digest
+        from launchlint.workspace.reading import read_bytes
 
-def _settings(options: Options) -> str:
+        try:
+            return hashlib.sha1(read_bytes(path, LARGEST_READ), usedforsecurity=False).hexdigest()
+        except OSError as error:
+            return str(error)
+
+
+def _settings(options: Options, code: str) -> str:
     settings: list[Any] = [
-        FORMAT, __version__, sys.version, sorted(options.rules), options.workspaces, options.explicit, options.root, options.complete,
+        FORMAT, code, sorted(options.rules), options.workspaces, options.explicit, options.root, options.complete,
         options.default_only, options.style, options.extract, options.distro, [options.variables.get(name) for name in VARIABLES],
-        os.geteuid() if hasattr(os, "geteuid") else None,
+        user(),
     ]  # fmt: skip
     return repr(settings)
 
 
-def _own_code() -> Iterator[bytes]:
-    """The files of launchlint itself, and the one of PyYAML that names its version: a checkout changes without a new version."""
-    import launchlint
-    from launchlint.knowledge.code import ROOMS, code_digest
-
-    yield code_digest().encode()
-    top = os.path.dirname(launchlint.__file__)
-    for directory, directories, files in os.walk(top):
-        directories[:] = sorted(name for name in directories if name != "__pycache__" and (directory != top or name not in ROOMS))
-        for name in sorted(files):
-            yield name.encode("utf-8", "surrogateescape")
-            yield _content(os.path.join(directory, name)).encode()
-    for directory in sys.path:
-        yaml = os.path.join(directory, "yaml", "__init__.py")
-        if os.path.isfile(yaml):
-            yield _content(yaml).encode()
-            return
+def user() -> int | None:
+    """Who looks: another one may be able to read other files."""
+    return os.geteuid() if hasattr(os, "geteuid") else None
 
 
 def _counts(name: str) -> bool:
@@ -174,12 +205,3 @@ def _is_new(status: os.stat_result, seen: set[tuple[int, int]]) -> bool:
         return False
     seen.add(key)
     return True
-
-
-def _content(path: str) -> str:
-    from launchlint.workspace.reading import read_bytes
-
-    try:
-        return hashlib.sha1(read_bytes(path, LARGEST_READ), usedforsecurity=False).hexdigest()
-    except OSError as error:
-        return str(error)

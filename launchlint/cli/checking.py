@@ -14,6 +14,7 @@ from launchlint.project.asked import EntryOptions, leave_others_out
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.check.entry import EntryChecker
     from launchlint.check.merge import Outcome
     from launchlint.check.options import Options
     from launchlint.finding import Finding, Severity
@@ -75,7 +76,7 @@ def _check(
 ) -> int:
     from launchlint.check.entry import EntryChecker
     from launchlint.check.merge import merge
-    from launchlint.check.run import check_entries
+    from launchlint.check.run import check_entries, uses_cache
     from launchlint.cli.output import Request, entry_lines, report
     from launchlint.project.selection import per_file_ignores
 
@@ -92,6 +93,10 @@ def _check(
     checker = EntryChecker(options, overlay)
     if options.library:
         _ = checker.library  # an unusable one is told before any work is done
+    if directory is not None and uses_cache(requests, checker):
+        from launchlint.check.cache import remember
+
+        remember(directory, checker)
     requests, notices = leave_others_out(entry, requests, checker.session)
     bar = reading = None
     if options.extract and not given.quiet and sys.stderr.isatty():
@@ -159,11 +164,19 @@ def _check(
             checker = EntryChecker(options, overlay)
             results = check_entries(requests, checker, jobs=given.jobs, cache_directory=directory)
         outcome = told(merge(results, options, checker.packages, per_file, asked=entry.paths))
+        _keep(checker)
         return max(report(outcome, shown, notices), 2 if fixer.failed else 0)
     outcome = merge(results, options, checker.packages, per_file, asked=entry.paths)
+    _keep(checker)
     if given.write_baseline is not None:
         return record(outcome, given.write_baseline, quiet=given.quiet)
     return report(told(outcome), shown, notices)
+
+
+def _keep(checker: EntryChecker) -> None:
+    """Keep what was found of files for the next run."""
+    if checker.packages.held is not None:
+        checker.packages.held.keep()
 
 
 def _changed(entry: EntryOptions, given: CheckOptions) -> frozenset[str] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import sys
+from contextlib import suppress
 from functools import lru_cache
 
 from launchlint import __version__
@@ -27,10 +28,14 @@ def code_digest() -> str:
                 found.update(f"\0{name}\0".encode("utf-8", "surrogateescape"))
                 with open(os.path.join(directory, name), "rb") as file:
                     found.update(file.read())
-    for path in sys.path:
-        try:
-            names = sorted(name for name in os.listdir(path or os.curdir) if name.startswith(_READERS))
-        except OSError:
-            continue
-        found.update("\0".join(names).encode("utf-8", "surrogateescape"))
+    found.update(readers().encode("utf-8", "surrogateescape"))
     return found.hexdigest()
+
+
+def readers() -> str:
+    """The names of the installed libraries that read C++, with their versions."""
+    listed: list[str] = []
+    for path in sys.path:
+        with suppress(OSError):
+            listed += sorted(name for name in os.listdir(path or os.curdir) if name.startswith(_READERS))
+    return "\0".join(listed)

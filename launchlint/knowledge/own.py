@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from launchlint.knowledge.entry import Key, Known
     from launchlint.knowledge.programs import Programs
+    from launchlint.workspace.states import States
 
 
 _CONDITIONS = {"ROS_VERSION": "2"}
@@ -58,12 +59,18 @@ class OwnSources:
         self._homes: dict[str, Home | None] = {}
         self._classes: dict[str, frozenset[str]] = {}
         self._asked: set[Key] = set()
+        self._states: States | None = None
+
+    def use(self, states: States) -> None:
+        """Take ``states`` for what there is on disk, for programs of any middleware; before anything is asked for."""
+        for each in self.all:
+            each._states = states
 
     def of(self, middleware: str) -> OwnSources:
         """What the same workspaces say of programs of another middleware."""
         if middleware not in self._others:
             other = OwnSources(self._packages, self._root, self._directory, self._moved, middleware)
-            other._others = self._others
+            other._others, other._states = self._others, self._states
             self._others[middleware] = other
         return self._others[middleware]
 
@@ -159,7 +166,7 @@ class OwnSources:
     def _programs(self) -> Programs:
         from launchlint.knowledge.programs import Programs
 
-        return Programs(self, self._directory)
+        return Programs(self, self._directory, self._states)
 
     def _classes_of(self, name: str) -> frozenset[str]:
         if name not in self._classes:

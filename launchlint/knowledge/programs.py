@@ -20,12 +20,12 @@ FORMAT = 1
 
 
 class Programs:
-    """What is known of each program of ``own``, kept in ``directory``."""
+    """What is known of each program of ``own``, kept in ``directory``; ``states`` are what there is on disk."""
 
-    def __init__(self, own: OwnSources, directory: str | None) -> None:
+    def __init__(self, own: OwnSources, directory: str | None, states: States | None = None) -> None:
         self._own = own
         self._store = Store(directory)
-        self._states = States()
+        self._states = states or States()
         self._known: dict[Key, Known] = {}
         self._reader: SourceReader | None = None
         self._surroundings = ""

@@ -102,7 +102,7 @@ class EntryOptions:
         requests: dict[EntryRequest, None] = {}
         files, overlay = self._found()
         for file in files:
-            given = declared.get(os.path.abspath(file))
+            given = declared.get(os.path.abspath(file)) if declared else None
             for arguments in given or [()]:
                 for profile in ((), *profiles):
                     both = merge_arguments(merge_arguments(arguments, profile), self.arguments)

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import walk
-from launchlint.workspace.texts import texts
+from launchlint.workspace.texts import decoded, files, texts
 
 _MOST_DIRECTORIES = 2_000
 _MOST_FILES = 2_000
@@ -23,6 +23,12 @@ _ARGS = re.compile(r"""\bargs\s{0,20}=\s{0,20}("[^"<]*"|'[^'<]*')""")
 _INCLUDED = re.compile(r"\bfile\s*=\s*[\"']([^\"']{0,1000})[\"']")
 _PASSED = re.compile(r"<arg\b[^<>]{0,1000}?\bname\s*=\s*[\"'](\w+)[\"']")
 _ANY = ""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from launchlint.workspace.contents import Contents
 
 
 class _Uses(NamedTuple):
@@ -66,10 +72,34 @@ class ArgUses(NamedTuple):
         return _together(of_files, self.looked)
 
 
-def read_arg_uses(directories: Iterable[str]) -> ArgUses:
-    """The args that launch files, scripts, services and documents below ``directories`` give to launch files. Bounded; never raises."""
+def read_arg_uses(directories: Iterable[str], held: Contents | None = None) -> ArgUses:
+    """The args that launch files, scripts, services and documents below ``directories`` give to launch files. Bounded; never raises.
+
+    ``held`` may know what the files hold.
+    """
     looked: set[str] = set()
-    return _together({file: _uses(file, text) for file, text in texts(_places(directories), _MOST_FILES, looked)}, frozenset(looked))
+    places = _places(directories)
+    if held is None:
+        found = {file: _uses(file, text) for file, text in texts(places, _MOST_FILES, looked)}
+    else:
+        found = {file: _known_uses(file, held) for file in files(places, _MOST_FILES, looked)}
+    return _together(found, frozenset(looked))
+
+
+def _known_uses(file: str, held: Contents) -> _Uses:
+    try:
+        return held.fact(file, "arg uses", lambda data: _uses(file, decoded(data)), _to_json, _from_json)
+    except OSError:
+        return _NOTHING
+
+
+def _to_json(uses: _Uses) -> list[Any]:
+    return [[[name, sorted(given)] for name, given in each] for each in uses]
+
+
+def _from_json(known: Any) -> _Uses:
+    starts, includes = (tuple((name, frozenset(given)) for name, given in each) for each in known)
+    return _Uses(starts, includes)
 
 
 def _uses(file: str, text: str) -> _Uses:

@@ -44,6 +44,11 @@ _MOST_ENTRANCES = 16
 _MOST_DIRECTORIES = 200_000
 
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.contents import Contents
+
+
 class Crawled(NamedTuple):
     """One directory with a manifest. ``reason`` is empty, or says why the manifest is broken."""
 
@@ -62,8 +67,13 @@ def crawl(root: str, way: Way = ROSPACK) -> list[Crawled]:
     return crawl_all(root, way)[0]
 
 
-def crawl_all(root: str, way: Way = ROSPACK, *, through_ignored: bool = False) -> tuple[list[Crawled], list[str]]:
-    """As :func:`crawl`, and the files (``CATKIN_IGNORE`` …) that keep it out of directories; ``through_ignored`` goes into those, too."""
+def crawl_all(
+    root: str, way: Way = ROSPACK, *, through_ignored: bool = False, held: Contents | None = None
+) -> tuple[list[Crawled], list[str]]:
+    """As :func:`crawl`, and the files (``CATKIN_IGNORE`` …) that keep it out of directories; ``through_ignored`` goes into those, too.
+
+    ``held`` may know what the manifests hold.
+    """
     found: list[Crawled] = []
     ignored: list[str] = []
     ends = frozenset((*way.manifests, *way.ends, *(() if through_ignored else way.ignoring)))
@@ -80,7 +90,7 @@ def crawl_all(root: str, way: Way = ROSPACK, *, through_ignored: bool = False) -
             if directory.startswith(SYSTEM_SHARE):  # nothing deeper counts there, and its directories may hold thousands of files
                 markers.update(name for name in ends if os.path.isfile(directory + "/" + name))
                 if markers:
-                    _note_packages(directory, markers, way, found)
+                    _note_packages(directory, markers, way, found, held)
                 continue
             with os.scandir(directory) as scan:
                 for entry in scan:
@@ -98,7 +108,7 @@ def crawl_all(root: str, way: Way = ROSPACK, *, through_ignored: bool = False) -
             if marker is not None:
                 ignored.append(os.path.join(directory, marker))
             else:
-                _note_packages(directory, markers, way, found)
+                _note_packages(directory, markers, way, found, held)
             continue
         below.sort(reverse=True)
         start = directory if directory.endswith("/") else directory + "/"
@@ -106,23 +116,28 @@ def crawl_all(root: str, way: Way = ROSPACK, *, through_ignored: bool = False) -
     return found, ignored
 
 
-def _note_packages(directory: str, markers: set[str], way: Way, found: list[Crawled]) -> None:
+def _note_packages(directory: str, markers: set[str], way: Way, found: list[Crawled], held: Contents | None) -> None:
     """Append what the manifests among ``markers`` of ``directory`` describe."""
     if not markers.isdisjoint(way.ignoring):
         return
     if PACKAGE_FILE in markers:
-        found.append(examine(directory, PACKAGE_FILE))
+        found.append(examine(directory, PACKAGE_FILE, held))
     if MANIFEST_FILE in markers and (PACKAGE_FILE not in markers or found[-1].metapackage):
-        found.append(examine(directory, MANIFEST_FILE))
+        found.append(examine(directory, MANIFEST_FILE, held))
 
 
-def examine(directory: str, file: str) -> Crawled:
+def examine(directory: str, file: str, held: Contents | None = None) -> Crawled:
     """The package that the manifest ``file`` (``package.xml`` or ``manifest.xml``) in ``directory`` describes. Never raises."""
     path = os.path.join(directory, file)
     if file == MANIFEST_FILE:
         return Crawled(os.path.basename(directory), directory, path, False, "")
     try:
-        identity = identify(read_bytes(path))
+        if held is None:
+            identity = identify(read_bytes(path))
+        else:
+            from launchlint.workspace.known_manifest import known_identity
+
+            identity = known_identity(path, held)
     except OSError as error:
         return Crawled("", directory, path, False, f"it cannot be read: {error.strerror or error}")
     return Crawled(identity.name, directory, path, identity.metapackage, identity.reason)

@@ -117,12 +117,29 @@ def walk(directory: str, most: int) -> Iterator[tuple[str, list[str]]]:
     while waiting and most > 0:
         most -= 1
         current = waiting.pop()
-        found = names(current)
+        found = _entries(current)
         if _PYTHON_ENVIRONMENT in found:
             continue
-        yield current, found
-        below = [os.path.join(current, name) for name in found if not name.startswith(".") and name != _OF_NPM]
-        waiting += [each for each in reversed(below) if os.path.isdir(each) and not os.path.islink(each)]
+        yield current, list(found)
+        below = [name for name, is_directory in found.items() if is_directory and not name.startswith(".") and name != _OF_NPM]
+        waiting += [os.path.join(current, name) for name in reversed(below)]
+
+
+def _entries(directory: str) -> dict[str, bool]:
+    """As :func:`names`, each with whether it is a directory, and no link to one."""
+    try:
+        with os.scandir(_note(directory or os.curdir)) as scan:
+            entries = sorted(scan, key=lambda entry: entry.name)[:MOST_NAMES]
+            return {entry.name: _is_directory(entry) for entry in entries}
+    except (OSError, ValueError):
+        return {}
+
+
+def _is_directory(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir(follow_symlinks=False)
+    except OSError:
+        return False
 
 
 def start(path: str) -> bytes | None:
@@ -213,10 +230,9 @@ def state(path: str) -> str:
     file, _, part = path.partition(PART)
     try:
         if file and part:
-            from launchlint.workspace.text_parts import part_of
+            from launchlint.workspace.text_parts import part_state
 
-            listed = "\0".join(part_of(file, part)).encode("utf-8", "surrogateescape")
-            return f"part {sha1(listed, usedforsecurity=False).hexdigest()}"
+            return part_state(_read(file), part)
         if path.endswith(os.sep + ALL_BELOW):
             return f"tree {sha1(_tree(path[: -len(ALL_BELOW)]), usedforsecurity=False).hexdigest()}"
         if os.path.isdir(path):
@@ -245,6 +261,16 @@ def content_state(path: str) -> str:
         return f"file {sha1(read_bytes(path), usedforsecurity=False).hexdigest()}"
     except (OSError, ValueError):
         return ""
+
+
+def _read(file: str) -> bytes:
+    """What a small file holds; nothing where it cannot be read."""
+    from launchlint.workspace.reading import read_bytes
+
+    try:
+        return read_bytes(file)
+    except (OSError, ValueError):
+        return b""
 
 
 def _tree(directory: str) -> bytes:

@@ -215,6 +215,14 @@ def read_manifest(path: str, shown: str | None = None) -> Manifest:
     return parse_manifest(read_bytes(path), path, shown)
 
 
+def text_of(path: str) -> str:
+    """The text of a manifest; empty where it cannot be read."""
+    try:
+        return _decode(read_bytes(path))
+    except (OSError, ValueError):
+        return ""
+
+
 def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest:
     """As :func:`read_manifest`, for content that has been read already."""
     source = Source(shown or path, _decode(data), path)

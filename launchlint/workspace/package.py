@@ -12,6 +12,7 @@ from launchlint.workspace.manifest import Manifest, read_manifest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.workspace.contents import Contents
     from launchlint.workspace.crawl import Crawled
 
 
@@ -34,12 +35,14 @@ class Package:
     """One package (or metapackage) on disk; its manifest is read when first asked for.
 
     ``directory`` is absolute and spelled as the crawl met it (symbolic links are kept, as rospkg does). ``broken`` is empty, or says why
-    the manifest cannot be used: the package then has no dependencies and, if its name could not be read, no name.
+    the manifest cannot be used: the package then has no dependencies and, if its name could not be read, no name. ``held`` may know what
+    the manifest says.
     """
 
-    __slots__ = ("_context", "_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
+    __slots__ = ("_context", "_held", "_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
 
-    def __init__(self, crawled: Crawled) -> None:
+    def __init__(self, crawled: Crawled, held: Contents | None = None) -> None:
+        self._held = held
         self.name = crawled.name
         self.directory = crawled.directory
         self.manifest_path = crawled.manifest_path
@@ -78,11 +81,18 @@ class Package:
         if not self._read:
             self._read = True
             try:
-                manifest = read_manifest(self.manifest_path)
+                manifest = self._read_manifest()
                 self._manifest = manifest if self._context is None else manifest.under(self._context)
             except (OSError, ValueError) as error:
                 self.broken = str(error)
         return self._manifest
+
+    def _read_manifest(self) -> Manifest:
+        if self._held is None:
+            return read_manifest(self.manifest_path)
+        from launchlint.workspace.known_manifest import known_manifest
+
+        return known_manifest(self.manifest_path, self._held)
 
     @property
     def is_catkin(self) -> bool:

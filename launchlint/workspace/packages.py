@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from typing import Any, Protocol, TypeVar
 
     from launchlint.workspace.arg_uses import ArgUses
+    from launchlint.workspace.contents import Contents
     from launchlint.workspace.distributions import Distributions
     from launchlint.workspace.environment_hooks import Hooks
     from launchlint.workspace.mentions import Mentions
@@ -54,6 +55,8 @@ class Packages:
         explicit: the workspaces were given by the user (``--workspace``); the machine's own ``/usr`` is then left out.
         complete: overrides :attr:`complete` (configuration key ``packages``).
         way: how packages are found; :attr:`colcon` are those that colcon finds in the same places.
+
+    ``held`` may be set before anything is asked for: what files hold, as an earlier run has seen it.
     """
 
     def __init__(
@@ -70,6 +73,7 @@ class Packages:
         self._explicit = explicit
         self._complete = complete
         self.way = way
+        self.held: Contents | None = None
         self._places: list[Place] | None = None
         self._prefixes: list[Prefix] | None = None
         self._made: dict[Callable[..., Any], Any] = {}
@@ -91,7 +95,9 @@ class Packages:
 
     def seen_by(self, way: Way) -> Packages:
         """The packages in the same places and environment, found in another way."""
-        return Packages(self.workspaces, self._environment, explicit=self._explicit, complete=self._complete, way=way)
+        other = Packages(self.workspaces, self._environment, explicit=self._explicit, complete=self._complete, way=way)
+        other.held = self.held
+        return other
 
     def once(self, make: Callable[[Packages], Made]) -> Made:
         """What ``make`` (a class or a function of a module) makes of these packages, made once and kept with them.
@@ -172,7 +178,7 @@ class Packages:
             walked.append(directory)
             file = next((each for each in reversed(self.way.manifests) if os.path.isfile(os.path.join(directory, each))), None)
             if file is not None:
-                self._of_directory[directory] = Package(examine(directory, file))
+                self._of_directory[directory] = Package(examine(directory, file, self.held), self.held)
             elif directory == os.path.dirname(directory):
                 self._of_directory[directory] = None
             else:
@@ -284,9 +290,12 @@ class Packages:
 
     def arg_uses(self) -> ArgUses:
         """Where files of the workspaces give args to launch files by name."""
+        return self._survey(self._read_arg_uses)
+
+    def _read_arg_uses(self, workspaces: Sequence[str]) -> ArgUses:
         from launchlint.workspace.arg_uses import read_arg_uses
 
-        return self._survey(read_arg_uses)
+        return read_arg_uses(workspaces, self.held)
 
     def launch_readers(self) -> Readers:
         """Which environment variables launch files of the workspaces read."""
@@ -361,7 +370,7 @@ class Packages:
             roots += [each.share for each in self.prefixes]
             if not self._explicit and self.way is not COLCON:
                 roots.append(SYSTEM_SHARE)
-            self._places = [Place(each, self.way) for each in dict.fromkeys(roots)]
+            self._places = [Place(each, self.way, self.held) for each in dict.fromkeys(roots)]
         return self._places
 
     @property
@@ -428,7 +437,7 @@ class Packages:
         for place in self.places:
             if place.root == root:
                 return place
-        return self._sources.setdefault(root, Place(root, self.way))
+        return self._sources.setdefault(root, Place(root, self.way, self.held))
 
     def _search(self, name: str, near: str) -> Package | None:
         for place in self.places:

@@ -9,6 +9,10 @@ from launchlint.workspace.crawl import Way, crawl_all
 from launchlint.workspace.package import Package
 from launchlint.workspace.prefixes import is_installed
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.contents import Contents
+
 
 class Hidden(NamedTuple):
     """A package of the workspace that is not found, because of the file ``marker`` (CATKIN_IGNORE …) in or above its ``directory``."""
@@ -19,13 +23,14 @@ class Hidden(NamedTuple):
 
 
 class Place:
-    """One directory tree that is searched for packages, in the ``way`` of rospack or of colcon."""
+    """One directory tree that is searched for packages, in the ``way`` of rospack or of colcon; ``held`` may know manifests."""
 
-    __slots__ = ("_all", "_by_name", "_ignored", "root", "way")
+    __slots__ = ("_all", "_by_name", "_held", "_ignored", "root", "way")
 
-    def __init__(self, root: str, way: Way) -> None:
+    def __init__(self, root: str, way: Way, held: Contents | None = None) -> None:
         self.root = root
         self.way = way
+        self._held = held
         self._ignored: list[str] = []
         self._all: list[Package] | None = None
         self._by_name: dict[str, list[Package]] = {}
@@ -57,8 +62,8 @@ class Place:
 
     def _crawl(self) -> list[Package]:
         if self._all is None:
-            found, self._ignored = crawl_all(self.root, self.way)
-            self._all = [Package(each) for each in found]
+            found, self._ignored = crawl_all(self.root, self.way, held=self._held)
+            self._all = [Package(each, self._held) for each in found]
             for package in self._all:
                 if package.name and (self.way.metapackages or not package.is_metapackage) and not package.broken:
                     self._by_name.setdefault(package.name, []).append(package)

@@ -10,17 +10,21 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 
+_MANY = 50
+"""Names that are asked for, from which it pays to list all of them: going through the text takes long for one that is not in it."""
+
 
 class PublicPackages(Mapping[str, tuple[str, ...]]):
     """Package name → names of the distributions that released it (those of ROS 1 first), from a file of ``name<TAB>names`` lines."""
 
-    __slots__ = ("_asked", "_by_length", "_lines", "_names", "_path")
+    __slots__ = ("_asked", "_by_length", "_lines", "_names", "_path", "_set")
 
     def __init__(self, path: str) -> None:
         self._path = path
         self._lines: str | None = None
         self._asked: dict[str, tuple[str, ...] | None] = {}
         self._names: list[str] | None = None
+        self._set: frozenset[str] | None = None
         self._by_length: dict[int, list[str]] = {}
 
     @property
@@ -40,6 +44,8 @@ class PublicPackages(Mapping[str, tuple[str, ...]]):
 
     def _find(self, name: str) -> tuple[str, ...] | None:
         text = self._text
+        if len(self._asked) > _MANY and name not in self._every:
+            return None
         at = -1 if not name or "\n" in name or "\t" in name or name[0] == "#" else text.find(f"\n{name}\t")
         if at < 0:
             return None
@@ -60,6 +66,12 @@ class PublicPackages(Mapping[str, tuple[str, ...]]):
         if self._names is None:
             self._names = re.findall(r"^([^#\t\n][^\t\n]*)\t", self._text, re.MULTILINE)
         return self._names
+
+    @property
+    def _every(self) -> frozenset[str]:
+        if self._set is None:
+            self._set = frozenset(self._all)
+        return self._set
 
     def about_as_long(self, name: str) -> list[str]:
         """The names that are as long as ``name``, or one letter longer or shorter: comparing with all of them takes too long."""

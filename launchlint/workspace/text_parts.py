@@ -161,7 +161,18 @@ PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {
 def part_of(file: str, part: str) -> Sequence[str]:
     """The ``part`` of the text of ``file``; nothing where it cannot be read. What it hangs on is not noted."""
     try:
-        data = read_bytes(file)
+        return _part(read_bytes(file), part)
     except (OSError, ValueError):
         return ()
+
+
+def part_state(data: bytes, part: str) -> str:
+    """Equal for texts of which the ``part`` is the same; ``data`` is what the file holds."""
+    from hashlib import sha1
+
+    listed = "\0".join(_part(data, part)).encode("utf-8", "surrogateescape")
+    return f"part {sha1(listed, usedforsecurity=False).hexdigest()}"
+
+
+def _part(data: bytes, part: str) -> Sequence[str]:
     return PARTS[part](data[:LARGEST].decode("utf-8", "replace"))

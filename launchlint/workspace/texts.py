@@ -17,9 +17,20 @@ def texts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[st
 
     ``looked`` gets all directories, and the files that were read: what is found hangs on them. Never raises.
     """
+    for file in files(places, most, looked):
+        yield file, decoded(content(file) or b"")
+
+
+def decoded(data: bytes) -> str:
+    """What is looked through of the content of a file."""
+    return data[:LARGEST].decode("utf-8", "replace")
+
+
+def files(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str]) -> Iterator[str]:
+    """As :func:`texts`, the files alone, for who knows what is in them."""
     for file in _files(places, most, looked):
         looked.add(file)
-        yield file, (content(file) or b"")[:LARGEST].decode("utf-8", "replace")
+        yield file
 
 
 def parts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str], part: str) -> Iterator[tuple[str, Sequence[str]]]:

@@ -13,11 +13,15 @@ from pathlib import Path
 
 import pytest
 
+from launchlint.check import own_code, surroundings
 from launchlint.check.cache import Cache
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import Options
-from launchlint.workspace import text_parts
+from launchlint.check.rows import MOST_DATABASES, sealed
+from launchlint.workspace import contents, text_parts
+from launchlint.workspace.contents import Contents
 from launchlint.workspace.looking import state
+from launchlint.workspace.packages import Packages
 from tests.check.many import many
 from tests.cli.running import PACKAGE, clean_environment, run, write
 
@@ -298,31 +302,28 @@ def test_options_are_noticed(repository: Repository) -> None:
     assert repository.findings() == everything
 
 
-def test_another_version_starts_anew(repository: Repository, monkeypatch: pytest.MonkeyPatch) -> None:
-    from launchlint.check import surroundings
-    from launchlint.check.options import Options
-    from launchlint.workspace.packages import Packages
-
+def test_another_version_starts_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     options = Options(frozenset(), (), True, {}, "/")
-    packages = Packages((), {}, explicit=True)
-    now = surroundings.Surroundings(options, packages).name
-    assert surroundings.Surroundings(options, packages).name == now
-    monkeypatch.setattr(surroundings, "__version__", "99.0")
-    other = surroundings.Surroundings(options, packages).name
+
+    def name() -> str | None:
+        held = Contents(str(tmp_path / "contents"))
+        return surroundings.Surroundings(options, Packages((), {}, explicit=True), held, own_code.own_code(held)).name
+
+    now = name()
+    assert name() == now
+    monkeypatch.setattr(own_code, "__version__", "99.0")
+    other = name()
     assert other != now
-    monkeypatch.setattr(surroundings, "_own_code", lambda: iter([b"changed"]))
-    assert surroundings.Surroundings(options, packages).name not in (now, other)
+    monkeypatch.setattr(own_code, "_parts", lambda held: iter(["changed"]))
+    assert name() not in (now, other)
 
 
-def test_with_very_many_files_there_is_no_cache(repository: Repository, monkeypatch: pytest.MonkeyPatch) -> None:
-    from launchlint.check import surroundings
-    from launchlint.check.options import Options
-    from launchlint.workspace.packages import Packages
-
+def test_with_very_many_files_there_is_no_cache(repository: Repository, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(surroundings, "MOST_FILES", 20)
     workspaces = (str(repository.directory),)
     packages = Packages(workspaces, {}, explicit=True)
-    assert surroundings.Surroundings(Options(frozenset(), workspaces, True, {}, "/"), packages).name is None
+    options = Options(frozenset(), workspaces, True, {}, "/")
+    assert surroundings.Surroundings(options, packages, Contents(str(tmp_path / "contents")), "").name is None
 
 
 def database(repository: Repository) -> Path:
@@ -380,14 +381,16 @@ def test_a_damaged_cache_is_passed_over(repository: Repository, damage: Callable
 
 def test_values_from_somebody_else_do_no_harm(repository: Repository) -> None:
     """Even with the right seal: what does not have the right form is computed anew."""
-    from launchlint.check.cache import _sealed
-
     before = run(repository.directory, "check")
-    for value in ([], {}, None, 1, [[], [], [], [], []], [[], [], [], ["x"], [1] * 10], [[["a"]], 1, 2, 3, 4], [[], [], [], [], {"a": 1}]):
+    holds: list[object] = [[], [], [], [], []]
+    for value in (
+        *([], {}, None, 1, holds, [*holds, 1], [*holds, {"a": 1}], [*holds, [1] * 11], [[["a"]], 1, 2, 3, 4, 5]),
+        *([[], [], [], [{}], [], [1] * 11], [[], [], [["a", 1, 2]], ["x"], [], [*[1] * 6, ["ros1 arm/launch/part.launch"], *[1] * 4]]),
+    ):
         file = database(repository)
         with sqlite3.connect(file) as connection:
             keys = [key for (key,) in connection.execute("SELECT key FROM entries")]
-            connection.executemany("UPDATE entries SET value = ? WHERE key = ?", [(_sealed(key, value), key) for key in keys])
+            connection.executemany("UPDATE entries SET value = ? WHERE key = ?", [(sealed(key, value), key) for key in keys])
         connection.close()
         assert run(repository.directory, "check") == before, value
 
@@ -449,8 +452,6 @@ def test_text_that_stands_in_for_a_file_is_not_kept(repository: Repository) -> N
 
 
 def test_the_cache_does_not_grow_without_end(repository: Repository) -> None:
-    from launchlint.check.cache import MOST_DATABASES
-
     for number in range(MOST_DATABASES + 6):
         write(repository.directory, {f"file{number}": ""})
         run(repository.directory, "check", "-q", "--jobs", "1", "--select", "LL103")
@@ -463,27 +464,32 @@ def test_a_part_of_a_text_is_looked_for_once(tmp_path: Path, monkeypatch: pytest
     source = workspace / "talker.py"
     source.write_text("rospy.Publisher('chatter', String)\n")
     looked: list[str] = []
+    topics = text_parts.PARTS["topics"]
 
-    def found(file: str, part: str) -> Sequence[str]:
-        looked.append(file)
-        return text_parts.PARTS[part](Path(file).read_text())
+    def found(text: str) -> Sequence[str]:
+        looked.append(text)
+        return topics(text)
 
-    monkeypatch.setattr(text_parts, "part_of", found)
+    monkeypatch.setattr(text_parts, "PARTS", {"topics": found})
+    monkeypatch.setattr(contents, "WORTH_WRITING", 1)
     part = f"{source}//topics"
     known = state(part)
 
     def holds() -> bool:
-        cache = Cache(str(tmp_path / "cache"), EntryChecker(Options(frozenset(), (str(workspace),), True, {}, str(workspace))))
+        checker = EntryChecker(Options(frozenset(), (str(workspace),), True, {}, str(workspace)))
+        cache = Cache(str(tmp_path / "cache"), checker)
         try:
             return cache._holds([(part, known)], ())
         finally:
             cache.close()
+            assert checker.packages.held is not None
+            checker.packages.held.keep()
 
     looked.clear()
     assert [holds() for _ in range(3)] == [True, True, True]
-    assert looked == [str(source)]
+    assert len(looked) == 1
     source.write_text("# the rest of the text\nrospy.Publisher('chatter', String)\n")
     assert [holds(), holds()] == [True, True]
-    assert looked == [str(source)] * 2
+    assert len(looked) == 2
     source.write_text("rospy.Publisher('chat', String)\n")
     assert [holds(), holds()] == [False, False]

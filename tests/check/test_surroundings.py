@@ -8,6 +8,7 @@ import pytest
 
 from launchlint.check.options import Options
 from launchlint.check.surroundings import Surroundings
+from launchlint.workspace.contents import Contents
 from launchlint.workspace.looking import state
 from launchlint.workspace.packages import Packages
 from tests.cli.running import PACKAGE, write
@@ -21,7 +22,8 @@ def workspace(tmp_path: Path) -> Path:
 
 def surroundings(workspace: Path) -> Surroundings:
     places = (str(workspace),)
-    return Surroundings(Options(frozenset(), places, True, {}, str(workspace)), Packages(places, {}, explicit=True))
+    held = Contents(f"{workspace}.contents")
+    return Surroundings(Options(frozenset(), places, True, {}, str(workspace)), Packages(places, {}, explicit=True), held, "")
 
 
 @pytest.mark.parametrize(
@@ -33,7 +35,9 @@ def surroundings(workspace: Path) -> Surroundings:
         ("arm/config/b.yaml", True),
         ("arm/nowhere", True),
         ("arm/config/a.yaml", False),  # its content
-        ("arm/nowhere/a.yaml", False),
+        ("arm/nowhere/a.yaml", True),
+        ("arm/config/a.yaml/b", True),  # below a file
+        (f"arm/{'a/' * 3000}b", False),  # longer than any path
         ("arm/.git", False),  # what is in it
         ("arm/.git/config", False),
         ("..", False),

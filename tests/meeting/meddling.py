@@ -1,10 +1,12 @@
 """Runs of launchlint during which somebody else changes a file of the repository, at any moment.
 
-``python -m tests.meeting.meddling DIRECTORY FILE CHANGE WORD…`` copies ``DIRECTORY/repository`` for most of the times that
+``python -m tests.meeting.meddling [warm] DIRECTORY FILE CHANGE WORD…`` copies ``DIRECTORY/repository`` for most of the times that
 ``launchlint WORD…`` opens a file for reading, runs the command in the copy, and just before that file is opened does ``CHANGE``
-(``vanish``, ``text`` or ``directory``) to ``FILE``. Prints a line of JSON for each run: how it ended, what it said, what ``FILE``
-holds then, and what two runs of ``check`` say afterwards, one that uses what was kept and one that does not. Every run is a fork of
-this process, which saves its start; results are kept for any number of launch files.
+(``vanish``, ``text`` or ``directory``) to ``FILE``. With ``warm`` an earlier run has kept all results, nothing counts as written a
+moment ago, and it is done just before a directory is listed, too, since next to no file is opened then. Prints a line of JSON for
+each run: how it ended, what it said, what ``FILE`` holds then, and what two runs of ``check`` say afterwards, one that uses what
+was kept and one that does not. Every run is a fork of this process, which saves its start; results are kept for any number of
+launch files.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from pathlib import Path
 
 from launchlint.check import run
 from launchlint.cli import main as launchlint
+from launchlint.workspace import contents
 
 EVERY, STEP, MOST = 8, 9, 500
 """The first moments are all tried, then one in so many, up to the last."""
@@ -48,16 +51,16 @@ def forked(directory: Path, cache: Path, words: Sequence[str], before: Callable[
         return os.waitstatus_to_exitcode(ended), said.read().decode()
 
 
-def meddler(directory: Path, file: str, change: str, moment: int) -> Callable[[], None]:
-    """A function that lets ``change`` happen to ``file`` when a file of the repository is opened for the ``moment``-th time (from 0 on)."""
+def meddler(directory: Path, file: str, change: str, moment: int, events: Sequence[str]) -> Callable[[], None]:
+    """A function that lets ``change`` happen to ``file`` at the ``moment``-th of these ``events`` in the repository (from 0 on)."""
     opened = 0
     inside = str(directory) + os.sep
 
     def hook(event: str, arguments: tuple[object, ...]) -> None:
         nonlocal opened
-        if event != "open" or not isinstance(arguments[0], str) or not os.path.abspath(arguments[0]).startswith(inside):
+        if event not in events or not isinstance(arguments[0], str) or not f"{os.path.abspath(arguments[0])}/".startswith(inside):
             return
-        if isinstance(arguments[2], int) and arguments[2] & (os.O_WRONLY | os.O_RDWR):
+        if event == "open" and isinstance(arguments[2], int) and arguments[2] & (os.O_WRONLY | os.O_RDWR):
             return
         opened += 1
         if opened == moment + 1:
@@ -80,13 +83,21 @@ def happen(file: Path, change: str) -> None:
 
 def main() -> int:
     """See the module."""
-    base, file, change, *words = sys.argv[1:]
+    warm = sys.argv[1] == "warm"
+    base, file, change, *words = sys.argv[2:] if warm else sys.argv[1:]
     run.CACHE_PAYS = 1
+    events = ["open"]
+    if warm:
+        contents.RACY = 0
+        contents.WORTH_WRITING = 1
+        events += ["os.scandir", "os.listdir"]
     for moment in (*range(EVERY), *range(EVERY, MOST, STEP)):
         directory, cache = Path(base, str(moment), "repository"), Path(base, str(moment), "cache")
         shutil.copytree(Path(base, "repository"), directory)
         untouched = (directory / file).read_bytes()
-        status, said = forked(directory, cache, words, meddler(directory, file, change, moment))
+        if warm:
+            forked(directory, cache, words, lambda: None)
+        status, said = forked(directory, cache, words, meddler(directory, file, change, moment, events))
         target = directory / file
         holds = target.read_text(encoding="utf-8") if target.is_file() else None
         happened = not target.is_file() if change != "text" else b"other" in target.read_bytes()

@@ -28,10 +28,10 @@ CHANGES = [
 ]
 
 
-def runs(tmp_path: Path, file: str, change: str, *words: str) -> list[dict[str, object]]:
+def runs(tmp_path: Path, file: str, change: str, *words: str, warm: bool = False) -> list[dict[str, object]]:
     """What :mod:`.meddling` tells of every moment."""
     make(tmp_path / "repository")
-    command = [sys.executable, "-m", "tests.meeting.meddling", str(tmp_path), file, change, *words]
+    command = [sys.executable, "-m", "tests.meeting.meddling", *(["warm"] if warm else []), str(tmp_path), file, change, *words]
     done = subprocess.run(command, env=clean_environment(tmp_path / "cache"), capture_output=True, text=True, timeout=600, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     found = [json.loads(line) for line in done.stdout.splitlines()]
@@ -44,6 +44,18 @@ def runs(tmp_path: Path, file: str, change: str, *words: str) -> list[dict[str, 
 @pytest.mark.parametrize(("file", "change"), CHANGES)
 def test_a_check_goes_on_and_keeps_nothing_wrong(file: str, change: str, tmp_path: Path) -> None:
     for moment, each in enumerate(runs(tmp_path, file, change, "check", "--jobs", "1", ".")):
+        said = str(each["said"])
+        assert each["status"] in (0, 1), (moment, said)
+        assert "itself failed" not in said, (moment, said)
+        assert INTERNAL_ERROR not in said, (moment, said)
+        assert each["again"] == each["anew"], moment
+
+
+@pytest.mark.parametrize(
+    ("file", "change"), [(ENTRY, "text"), (PART, "text"), ("demo/package.xml", "vanish"), ("demo/scripts/talk.py", "vanish")]
+)
+def test_what_an_earlier_run_has_kept_stays_true(file: str, change: str, tmp_path: Path) -> None:
+    for moment, each in enumerate(runs(tmp_path, file, change, "check", "--jobs", "1", ".", warm=True)):
         said = str(each["said"])
         assert each["status"] in (0, 1), (moment, said)
         assert "itself failed" not in said, (moment, said)
