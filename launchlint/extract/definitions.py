@@ -37,12 +37,20 @@ def words_of(text: str) -> frozenset[str]:
 
 def exported_words(text: str) -> frozenset[str]:
     """The words of all that a source exports as plugins."""
+    if not _may_export(text):
+        return frozenset()
     return frozenset(word for arguments in _EXPORT.findall(text) for word in _WORD.findall(arguments))
+
+
+def _may_export(text: str) -> bool:
+    return "PLUGINLIB_" in text or "RCLCPP_COMPONENTS_REGISTER_NODE" in text
 
 
 def defined_names(text: str) -> frozenset[str] | None:
     """Names of classes, functions and variables that a source defines: of members the class. None where that cannot be told."""
-    text = _EXPORT.sub(" ", _SKIPPED.sub(" ", text))
+    text = _SKIPPED.sub(" ", text)
+    if _may_export(text):
+        text = _EXPORT.sub(" ", text)
     found: set[str] = set()
     spaces: list[bool] = []
     depth = start = 0

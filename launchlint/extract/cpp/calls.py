@@ -75,10 +75,9 @@ def functions(machine: Machine, name: str, frame: Frame) -> list[Function]:
         found = classes.own_methods(machine, frame.this, plain, frame.scope)
         if found:
             return found
-    for scope in machine.names.scopes(frame.scope):
-        found = machine.declarations.functions.get(joined(scope, plain), [])
-        if found:
-            return found
+    found = machine.names.functions(plain, frame.scope)
+    if found:
+        return found
     if "::" in plain:
         owner, _, last = plain.rpartition("::")
         resolved = machine.names.resolve(Type(owner), frame)

@@ -39,12 +39,6 @@ if TYPE_CHECKING:
 _MAPPINGS = ("map", "unordered_map", "M_string")
 
 
-def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
-    """The value of an expression."""
-    does = _BY_KIND.get(node.kind)
-    return UNKNOWN if does is None else does(machine, node, frame)
-
-
 def _concatenated(machine: Machine, node: Node, frame: Frame) -> Value:
     text: Value = Text("")
     for each in node.children:
@@ -317,7 +311,7 @@ def _update(machine: Machine, node: Node, frame: Frame) -> Value:
     return after if node.text.startswith(("++", "--")) else before
 
 
-_BY_KIND: dict[str, Does[[Machine, Node, Frame], Value]] = {
+BY_KIND: dict[str, Does[[Machine, Node, Frame], Value]] = {
     **dict.fromkeys(("identifier", "qualified_identifier", "type_identifier"), _named),
     "field_expression": of_member,
     "call_expression": calls.call,

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable as Does
 from collections.abc import Hashable, Sequence
 
-from launchlint.extract.cpp import classes, expressions, overloads, places, statements
+from launchlint.extract.cpp import classes, overloads, places, statements
 from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
+from launchlint.extract.cpp.expressions import BY_KIND
 from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.forgetting import forget
 from launchlint.extract.cpp.frame import Frame
@@ -124,8 +125,11 @@ class Machine:
         """The value of an expression."""
         if node is None or not self.step():
             return UNKNOWN
+        does = BY_KIND.get(node.kind)
+        if does is None:
+            return UNKNOWN
         self.depth += 1
-        value = expressions.evaluate(self, node, frame)
+        value = does(self, node, frame)
         self.depth -= 1
         return value
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from launchlint.extract.cpp.declarations import Class, Declarations, joined
+from launchlint.extract.cpp.declarations import Class, Declarations, Field, Function, joined
 from launchlint.extract.cpp.foreign import Foreign, is_of_messages
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import POINTERS, Type, substituted
@@ -59,6 +59,8 @@ class Names:
         self._derived: dict[str, list[Class]] = {}
         self._scopes: dict[str, tuple[str, ...]] = {}
         self._resolved: dict[tuple[Type, str, int], tuple[Type, frozenset[str]]] = {}
+        self._functions: dict[tuple[str, str], list[Function]] = {}
+        self._variables: dict[tuple[str, str], tuple[str, Field] | None] = {}
         self._meant: dict[tuple[Type, str], Type | None] = {}
         self._known = -1
 
@@ -76,6 +78,8 @@ class Names:
         self._known = self.declarations.using_directives
         for each in (self._bases, self._chains, self._derived, self._scopes, self._resolved, self._meant):
             each.clear()
+        self._functions.clear()
+        self._variables.clear()
 
     def scopes(self, scope: str) -> tuple[str, ...]:
         """``scope`` and those around it, then the namespaces that are used; a class's base classes after the class."""
@@ -158,6 +162,38 @@ class Names:
         if (frame.aliases or frame.bindings or frame.outer is not None) and any(frame.alias(each) is not None for each in on_the_way):
             return self._resolve(type_, frame, start, depth, set())
         return found
+
+    def functions(self, name: str, scope: str) -> list[Function]:
+        """The functions that a name means in a scope: those of the nearest one that has any."""
+        if self._known != self.declarations.using_directives:
+            self._refresh()
+        key = (name, scope)
+        known = self._functions.get(key)
+        if known is None:
+            listed = (self.declarations.functions.get(joined(each, name)) for each in self.scopes(scope))
+            known = self._functions[key] = next(filter(None, listed), [])
+        return known
+
+    def variable(self, name: str, scope: str) -> tuple[str, Field] | None:
+        """The variable outside of functions, or the static member, that a name means in a scope, with its full name."""
+        if self._known != self.declarations.using_directives:
+            self._refresh()
+        key = (name, scope)
+        if key not in self._variables:
+            self._variables[key] = self._variable(name, scope)
+        return self._variables[key]
+
+    def _variable(self, name: str, scope: str) -> tuple[str, Field] | None:
+        for each in self.scopes(scope):
+            full = joined(each, name)
+            field = self.declarations.variables.get(full)
+            if field is None and "::" in name:
+                owner, _, last = full.rpartition("::")
+                declared = self.declarations.classes.get(owner)
+                field = declared.fields.get(last) if declared is not None else None
+            if field is not None:
+                return full, field
+        return None
 
     def behind_aliases(self, type_: Type, scope: str) -> Type | None:
         """What a type is another name of, by the aliases of the program alone; None where that is a smart pointer."""

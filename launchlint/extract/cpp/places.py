@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from launchlint.extract.cpp import classes
-from launchlint.extract.cpp.declarations import joined
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import UNKNOWN, Callable, Cell, Items, Null, Thing, Unknown, Value, choices, either
@@ -155,26 +154,19 @@ def made_up(machine: Machine, cell: Cell, frame: Frame) -> Thing | None:
 
 def of_program(machine: Machine, name: str, frame: Frame) -> Cell | None:
     """A variable outside of functions, made when it is first asked for."""
-    declarations = machine.declarations
-    for scope in machine.names.scopes(frame.scope):
-        full = joined(scope, name)
-        if full in machine.globals:
-            return machine.globals[full]
-        field = declarations.variables.get(full)
-        if field is None:
-            owner, _, last = full.rpartition("::")
-            declared = declarations.classes.get(owner)
-            field = declared.fields.get(last) if declared is not None and "::" in name else None
-        if field is not None:
-            cell = machine.globals[full] = Cell(UNKNOWN, field.type, 0, field.constant)
-            cell.changing = machine.declarations.is_assigned(full.rpartition("::")[2])
-            conditions, machine.conditions = machine.conditions, []
-            inner = Frame(field.path, field.scope, None, {})
-            if field.initial is not None:
-                cell.value = classes.initial_value(machine, field, inner)
-            elif not field.pointer and not field.array:
-                source = Node("declaration", b"", 0, 0)
-                cell.value = classes.default(machine, field.type, source, inner)
-            machine.conditions = conditions
-            return cell
-    return None
+    known = machine.names.variable(name, frame.scope)
+    if known is None:
+        return None
+    full, field = known
+    if full in machine.globals:
+        return machine.globals[full]
+    cell = machine.globals[full] = Cell(UNKNOWN, field.type, 0, field.constant)
+    cell.changing = machine.declarations.is_assigned(full.rpartition("::")[2])
+    conditions, machine.conditions = machine.conditions, []
+    inner = Frame(field.path, field.scope, None, {})
+    if field.initial is not None:
+        cell.value = classes.initial_value(machine, field, inner)
+    elif not field.pointer and not field.array:
+        cell.value = classes.default(machine, field.type, Node("declaration", b"", 0, 0), inner)
+    machine.conditions = conditions
+    return cell

@@ -177,8 +177,15 @@ def _is_plain(value: Value) -> bool:
 
 def either(found: list[tuple[str, Value]]) -> Value:
     """One of several values; the same value twice is one, and what is no value gives way to one."""
-    if found and not isinstance(found[0][1], Either) and (len(found) == 1 or (len(found) == 2 and found[0][1] is found[1][1])):
-        return found[0][1]
+    if len(found) == 1 or (len(found) == 2 and found[0][1] is found[1][1]):
+        if not isinstance(found[0][1], Either):
+            return found[0][1]
+    elif len(found) == 2 and (found[0][1] is UNKNOWN or found[1][1] is UNKNOWN):
+        other = found[1][1] if found[0][1] is UNKNOWN else found[0][1]
+        if isinstance(other, (Number, Null)):
+            return UNKNOWN
+        if isinstance(other, (Thing, Handle, Callable, Closure)) and not _is_plain(other):
+            return other
     flat: list[tuple[str, Value]] = []
     for condition, value in found:
         for inner, choice in choices(value):
