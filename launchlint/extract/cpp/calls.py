@@ -10,6 +10,7 @@ from launchlint.extract.cpp.declarations import Class, Function, joined
 from launchlint.extract.cpp.declarators import without_arguments
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import UNKNOWN_SPACE
+from launchlint.extract.cpp.places import made_up, read
 from launchlint.extract.cpp.ros import loading
 from launchlint.extract.cpp.spelled_type import Type, parse_type
 from launchlint.extract.cpp.syntax import Node, parse_statements, shortened
@@ -339,8 +340,6 @@ def _method(machine: Machine, node: Node, function: Node, frame: Frame) -> Value
         inner = named.children[0] if named.kind == "dependent_name" and named.children else named
         types = template_arguments(inner)
         name = (inner.fields.get("name") or inner).text
-    from launchlint.extract.cpp.places import made_up, read
-
     value, cell = read(machine, argument, frame)
     given = classes.arguments(machine, node.fields.get("arguments"), frame)
     asked = Call(machine, name, types, given, node, frame)

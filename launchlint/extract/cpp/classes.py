@@ -56,8 +56,6 @@ LAZY = frozenset(("ConnectionBasedNodelet", "DiagnosticNodelet"))
 
 def arguments(machine: Machine, node: Node | None, frame: Frame) -> list[Argument]:
     """The arguments of a call, evaluated."""
-    from launchlint.extract.cpp.places import cell_of
-
     found: list[Argument] = []
     for each in node.children if node else ():
         if each.kind in _PLACES:
@@ -65,9 +63,15 @@ def arguments(machine: Machine, node: Node | None, frame: Frame) -> list[Argumen
             continue
         if each.kind.startswith("preproc"):
             continue
-        cell = cell_of(machine, each, frame) if each.kind == "pointer_expression" else None
+        cell = _pointed_to(machine, each, frame) if each.kind == "pointer_expression" else None
         found.append(Argument(machine.evaluate(each, frame), cell, each))
     return found
+
+
+def _pointed_to(machine: Machine, node: Node, frame: Frame) -> Cell | None:
+    from launchlint.extract.cpp.places import cell_of
+
+    return cell_of(machine, node, frame)
 
 
 _PLACES = frozenset(("identifier", "field_expression", "qualified_identifier", "parenthesized_expression"))
@@ -432,22 +436,12 @@ def own_methods(machine: Machine, this: Thing, name: str, scope: str) -> list[Fu
         start = next((names.index(each) for each in making if each in names), 0)
     elif not known:
         start = 0
-    return _methods(machine, classes[start:], name) or methods(machine, this, name)
+    return machine.names.methods_among(classes[start:], name) or methods(machine, this, name)
 
 
 def methods(machine: Machine, this: Thing, name: str) -> list[Function]:
     """The functions of that name that a call on the object means."""
-    return _methods(machine, chain(machine, this), name)
-
-
-def _methods(machine: Machine, classes: Sequence[Class], name: str) -> list[Function]:
-    found: list[Function] = []
-    for declared in classes:
-        # One of a base class with as many parameters is overridden; one with another number is meant by a call that needs it.
-        taken = {len(each.parameters) for each in found}
-        own = machine.declarations.functions.get(joined(declared.name, name), [])
-        found += [each for each in own if each.body is not None and len(each.parameters) not in taken]
-    return found
+    return [] if this.declared is None else machine.names.methods(this.declared, name)
 
 
 def overriders(machine: Machine, this: Thing, name: str) -> list[tuple[Class, list[Function]]]:

@@ -15,7 +15,8 @@ from launchlint.extract.cpp.expressions import BY_KIND
 from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.forgetting import forget
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Instance, Names, finished, is_loose
+from launchlint.extract.cpp.instance import Instance
+from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Names, finished, is_loose
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import LONGEST_CONDITION, Node, shortened
 from launchlint.extract.cpp.tables import Tables
@@ -135,6 +136,10 @@ class Machine:
 
     def argument(self, node: Node, frame: Frame) -> Argument:
         """An argument that is the name of a variable."""
+        if node.kind == "identifier" and self.step():
+            local = frame.variable(node.text)
+            if local is not None:
+                return Argument(self.read(local), local, node)
         return Argument(*places.read(self, node, frame), node)
 
     def execute(self, node: Node, frame: Frame) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 
 from launchlint.extract.cpp.declarations import Class, Declarations, Field, Function, joined
@@ -10,7 +11,6 @@ from launchlint.extract.cpp.foreign import Foreign, is_of_messages
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import POINTERS, Type, substituted
 from launchlint.extract.cpp.values import Either, Number, Text, Value, choices, plain
-from launchlint.named_tuple import NamedTuple
 
 _MOST_STEPS = 24
 _MOST_ALIASES = 9
@@ -60,6 +60,7 @@ class Names:
         self._scopes: dict[str, tuple[str, ...]] = {}
         self._resolved: dict[tuple[Type, str, int], tuple[Type, frozenset[str]]] = {}
         self._functions: dict[tuple[str, str], list[Function]] = {}
+        self._methods: dict[tuple[Class, str], list[Function]] = {}
         self._variables: dict[tuple[str, str], tuple[str, Field] | None] = {}
         self._meant: dict[tuple[Type, str], Type | None] = {}
         self._known = -1
@@ -79,6 +80,7 @@ class Names:
         for each in (self._bases, self._chains, self._derived, self._scopes, self._resolved, self._meant):
             each.clear()
         self._functions.clear()
+        self._methods.clear()
         self._variables.clear()
 
     def scopes(self, scope: str) -> tuple[str, ...]:
@@ -173,6 +175,26 @@ class Names:
             listed = (self.declarations.functions.get(joined(each, name)) for each in self.scopes(scope))
             known = self._functions[key] = next(filter(None, listed), [])
         return known
+
+    def methods(self, declared: Class, name: str) -> list[Function]:
+        """The member functions of that name that a call on an object of a class means."""
+        if self._known != self.declarations.using_directives:
+            self._refresh()
+        key = (declared, name)
+        known = self._methods.get(key)
+        if known is None:
+            known = self._methods[key] = self.methods_among(self.chain(declared), name)
+        return known
+
+    def methods_among(self, classes: Sequence[Class], name: str) -> list[Function]:
+        """Those of some classes, the nearest first."""
+        found: list[Function] = []
+        for declared in classes:
+            # One of a base class with as many parameters is overridden; one with another number is meant by a call that needs it.
+            taken = {len(each.parameters) for each in found}
+            own = self.declarations.functions.get(joined(declared.name, name), [])
+            found += [each for each in own if each.body is not None and len(each.parameters) not in taken]
+        return found
 
     def variable(self, name: str, scope: str) -> tuple[str, Field] | None:
         """The variable outside of functions, or the static member, that a name means in a scope, with its full name."""
@@ -446,29 +468,6 @@ def finished(name: str) -> str:
     while ANY + ANY in name:
         name = name.replace(ANY + ANY, ANY)
     return name.rstrip("/") if len(name) > 1 else name
-
-
-class Instance(NamedTuple):
-    """A nodelet that a program loads into itself: the full name it has, and what its names are remapped to, all unfinished."""
-
-    name: str
-    remappings: tuple[tuple[str, str], ...]
-
-    def renamed(self, name: str) -> str:
-        """A finished name of the nodelet as one of the program."""
-        if self.name != NODE_NAME and "{param:~" in name:
-            return ANY
-        for before, after in self.remappings:
-            target = finished(after)
-            target = target[len("{remap:") : -1] if target.startswith("{remap:") and target.endswith("}") else target
-            if name == before:
-                return target
-            for slot in ("{remap:", "{parent:"):
-                if f"{slot}{before}}}" in name:
-                    return name.replace(f"{slot}{before}}}", f"{slot}{target}}}") if "{" not in target else ANY
-        if name.startswith("~") and self.name != NODE_NAME:
-            return finished(f"{self.name}/{name[1:]}")
-        return name
 
 
 def full_name(namespace: str) -> str:

@@ -253,7 +253,7 @@ def _convert(cursor: TreeCursor, root: Node, depth: int) -> None:
             if field is not None:
                 _name(parent, field_names[field], node)
             if len(parents) + depth < _DEEPEST:
-                if kind == "compound_statement" and parent.kind == "function_definition":
+                if (kind == "compound_statement" or kind == "field_initializer_list") and parent.kind == "function_definition":
                     node.until_asked(found.walk(), len(parents) + depth)
                 elif cursor.goto_first_child():
                     parents.append(node)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable as Does
 
 from launchlint.extract.cpp import classes, nodelet
-from launchlint.extract.cpp.naming import NODE_NAME, PLUGIN, Instance
+from launchlint.extract.cpp.instance import Instance
+from launchlint.extract.cpp.naming import NODE_NAME, PLUGIN
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Items, Number, Text, Thing, Value, choices, plain
 from launchlint.extract.fact import Plugin
