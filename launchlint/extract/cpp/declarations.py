@@ -131,8 +131,6 @@ class Declarations:
         self.alias_templates: dict[str, tuple[str, ...]] = {}
         self.namespaces: dict[str, str] = {}
         self.used: dict[str, None] = {}
-        self.using_directives = 0
-        """How often something was added to what names are looked up in, also by a function that is followed."""
         self.macros: dict[str, str] = {}
         self.calls: dict[str, tuple[tuple[str, ...], str]] = {}
         self.constants: dict[str, tuple[Node | None, int]] = {}
@@ -282,21 +280,23 @@ class Declarations:
                 self.constants.setdefault(joined(joined(scope, name.text), named.text), (last, behind))
             behind += 1
 
-    def using(self, node: Node, scope: str, opened: list[str] | None = None) -> None:
-        """A using declaration or directive; ``opened`` are those of the namespace that it stands in."""
+    def using(self, node: Node, scope: str, opened: list[str] | None = None) -> bool:
+        """A using declaration or directive, and whether it is a new one; ``opened`` are those of the namespace that it stands in."""
         named = node.children[-1] if node.children else None
         if named is None:
-            return
+            return False
         text = named.text.removeprefix("::")
-        self.using_directives += 1
-        if text.rpartition("::")[2] == text.rpartition("::")[0].rpartition("::")[2]:
-            return  # the constructors of a base class are inherited
+        last = text.rpartition("::")[2]
+        if last == text.rpartition("::")[0].rpartition("::")[2]:
+            return False  # the constructors of a base class are inherited
+        known = len(self.used) + len(self.aliases)
         if "namespace" in node.text.split(named.text)[0].split():
             self.used[text] = None
             if opened is not None:
                 opened.append(text)
         else:
-            self.aliases.setdefault(joined(scope, text.rpartition("::")[2]), (Type(text), ""))
+            self.aliases.setdefault(joined(scope, last), (Type(text), ""))
+        return len(self.used) + len(self.aliases) > known
 
     def _variables(self, node: Node, scope: str, path: str, template: tuple[str, ...]) -> None:
         named = node.fields.get("type")

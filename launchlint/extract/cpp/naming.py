@@ -63,20 +63,16 @@ class Names:
         self._methods: dict[tuple[Class, str], list[Function]] = {}
         self._variables: dict[tuple[str, str], tuple[str, Field] | None] = {}
         self._meant: dict[tuple[Type, str], Type | None] = {}
-        self._known = -1
 
     def chain(self, declared: Class) -> list[Class]:
         """A class and its bases, nearest first."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         known = self._chains.get(declared)
         if known is None:
             known = self._chains[declared] = [declared, *self.bases(declared.name)]
         return known
 
-    def _refresh(self) -> None:
-        """Forget what was looked up where a using directive in a function may have added to what can be found."""
-        self._known = self.declarations.using_directives
+    def forget(self) -> None:
+        """Forget what was looked up, where a using directive in a function has added to what can be found."""
         for each in (self._bases, self._chains, self._derived, self._scopes, self._resolved, self._meant):
             each.clear()
         self._functions.clear()
@@ -85,8 +81,6 @@ class Names:
 
     def scopes(self, scope: str) -> tuple[str, ...]:
         """``scope`` and those around it, then the namespaces that are used; a class's base classes after the class."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         if scope in self._scopes:
             return self._scopes[scope]
         found: dict[str, None] = {}
@@ -103,8 +97,6 @@ class Names:
 
     def derived(self, base: Class) -> list[Class]:
         """The classes that are derived from one, in the order of the sources."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         if base.name not in self._derived:
             others = (each for each in self.declarations.classes.values() if each is not base)
             self._derived[base.name] = [other for other in others if any(each is base for each in self.bases(other.name))]
@@ -112,8 +104,6 @@ class Names:
 
     def bases(self, name: str) -> list[Class]:
         """The base classes of a class, as far as they are declared, nearest first."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         if name in self._bases:
             return self._bases[name]
         found: list[Class] = []
@@ -150,8 +140,6 @@ class Names:
         give another meaning.
         """
         start = frame.scope if scope is None else scope
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         key = (type_, start, depth)
         known = self._resolved.get(key)
         if known is None:
@@ -167,8 +155,6 @@ class Names:
 
     def functions(self, name: str, scope: str) -> list[Function]:
         """The functions that a name means in a scope: those of the nearest one that has any."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         key = (name, scope)
         known = self._functions.get(key)
         if known is None:
@@ -178,8 +164,6 @@ class Names:
 
     def methods(self, declared: Class, name: str) -> list[Function]:
         """The member functions of that name that a call on an object of a class means."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         key = (declared, name)
         known = self._methods.get(key)
         if known is None:
@@ -198,8 +182,6 @@ class Names:
 
     def variable(self, name: str, scope: str) -> tuple[str, Field] | None:
         """The variable outside of functions, or the static member, that a name means in a scope, with its full name."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         key = (name, scope)
         if key not in self._variables:
             self._variables[key] = self._variable(name, scope)
@@ -219,8 +201,6 @@ class Names:
 
     def behind_aliases(self, type_: Type, scope: str) -> Type | None:
         """What a type is another name of, by the aliases of the program alone; None where that is a smart pointer."""
-        if self._known != self.declarations.using_directives:
-            self._refresh()
         key = (type_, scope)
         if key not in self._meant:
             self._meant[key] = self._behind_aliases(type_, scope)

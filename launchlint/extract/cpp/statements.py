@@ -70,7 +70,8 @@ def execute(machine: Machine, node: Node, frame: Frame) -> str:
         _alias(node, frame)
         return ""
     if kind == "using_declaration":
-        machine.declarations.using(node, "")
+        if machine.declarations.using(node, ""):
+            machine.names.forget()
         return ""
     if kind in _NOT_FOLLOWED:
         return ""
