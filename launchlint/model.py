@@ -132,7 +132,8 @@ class Branch(NamedTuple):
 
     ``taken``: whether the element was evaluated; None where the value is unknown. ``element`` is the place of its start tag, ``tag`` the
     name of that, ``text`` the condition as written. ``steered_by`` are the args of the entry file on which it depends; ``open`` says
-    whether anything outside the file (an arg it can be given, an environment variable) can change it.
+    whether anything outside the file (an arg it can be given, an environment variable) can change it. ``around`` are the args on which it
+    depends whether it is met at all; None where that was not followed.
     """
 
     origin: Origin
@@ -143,6 +144,7 @@ class Branch(NamedTuple):
     taken: bool | None
     steered_by: frozenset[str]
     open: bool
+    around: frozenset[str] | None = None
 
 
 class Remap(NamedTuple):

@@ -88,6 +88,7 @@ def configurations(session: Session, file: str, given: Pairs = (), way: Way | No
     found = [(first, flow_of(session, first))]
     seen = _sides(first)
     tried: set[Pairs] = {()}
+    vain = _Vain()
     evaluations = 1
     work = _work(first)
     # What takes one arg and one look at the condition comes first, for all conditions; then what takes more.
@@ -107,6 +108,8 @@ def configurations(session: Session, file: str, given: Pairs = (), way: Way | No
                     if set(changes) == set(before) or tuple(sorted(changes)) in tried:
                         continue
                     tried.add(tuple(sorted(changes)))
+                    if vain.holds(wanted, pairs, changes):
+                        continue
                     if evaluations >= MOST_EVALUATIONS:
                         return
                     evaluations += 1
@@ -121,6 +124,7 @@ def configurations(session: Session, file: str, given: Pairs = (), way: Way | No
                     if most_work is not None and work > most_work:
                         return
                     sides = _sides(evaluation)
+                    vain.note(base, pairs, changes, evaluation, sides)
                     if sides <= seen:
                         continue
                     reached = flow_of(session, evaluation)
@@ -132,6 +136,36 @@ def configurations(session: Session, file: str, given: Pairs = (), way: Way | No
                     found.append((evaluation, reached))
                     if wanted in seen:
                         break
+
+
+class _Vain:
+    """What was tried to turn a condition, and did not turn it: it does not either where all that the condition depends on is the same."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[Side, Pairs], dict[frozenset[tuple[str, str | None]], None]] = {}
+
+    def note(self, base: Evaluation, pairs: Pairs, changes: Pairs, evaluation: Evaluation, sides: Set[Side]) -> None:
+        """Behind ``base``, args ``changes``, among them ``pairs``, were given, and this came of it, with these sides of conditions."""
+        given, changed = dict(changes), {name for name, _ in pairs}
+        hangs_on: dict[tuple[str, int], frozenset[str]] = {}
+        for each in evaluation.launch.branches:
+            hangs_on[each.element.key] = hangs_on.get(each.element.key, frozenset()).union(each.steered_by, each.around or ())
+        for branch in _open_branches(base):
+            wanted = _side(branch, not branch.taken)
+            if branch.around is None or wanted in sides:
+                continue
+            names = branch.steered_by.union(branch.around, hangs_on.get(branch.element.key, ()))
+            if not names.isdisjoint(changed):
+                values = frozenset((name, given.get(name)) for name in names)
+                self._known.setdefault((wanted, pairs), {})[values] = None
+
+    def holds(self, wanted: Side, pairs: Pairs, changes: Pairs) -> bool:
+        """Whether giving ``changes``, among them ``pairs``, would not turn the condition to ``wanted``, as far as can be told."""
+        known = self._known.get((wanted, pairs))
+        if not known:
+            return False
+        given = dict(changes)
+        return any(all(given.get(name) == value for name, value in values) for values in known)
 
 
 def _work(evaluation: Evaluation) -> int:

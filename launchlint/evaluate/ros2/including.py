@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 def include(walk: Walk, action: described.Include) -> None:
     """Load the file, look at what it must be passed, pass the args one after the other, and execute it. Nothing of it is put back."""
     walk.spend(STARTING, action.place)
-    file, _, outside = walk.known(action.file)
+    file, steer, outside = walk.known(action.file)
     origin = walk.at(action.place)
     context = walk.context
     pushed = context.namespace
@@ -85,7 +85,7 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.executions.append((way, known.description))
     walk.here = Here(
         file, step, (*outer.files, absolute), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way,
-        (*outer.sources, id(action.file)), outer.idle,
+        (*outer.sources, id(action.file)), outer.idle, outer.around | steer,
     )  # fmt: skip
     walk.performer.way = way
     _run(walk, known, file)

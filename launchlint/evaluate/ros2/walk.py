@@ -135,7 +135,7 @@ class Here(NamedTuple):
 
     ``told`` are the args whose absence has been told where the file was included, each with the place of its declaration. ``way`` are the
     includes once more, each by its identity, and ``sources`` what these load, by the identity of its name. ``idle``: what waits for a
-    process that this launch does not start.
+    process that this launch does not start. ``around``: the args of the entry file on which it depends whether the walk comes here.
     """
 
     file: str
@@ -149,6 +149,7 @@ class Here(NamedTuple):
     way: tuple[int, ...] = ()
     sources: tuple[int, ...] = ()
     idle: bool = False
+    around: frozenset[str] = frozenset()
 
 
 class Body(NamedTuple):
@@ -378,12 +379,13 @@ class Walk:
             if met is None:
                 continue
             outer = self.here
-            self.here = outer._replace(conditions=(*outer.conditions, met), assumed=outer.assumed or met.assumed)
+            around = outer.around | self.branches[-1].steered_by
+            self.here = outer._replace(conditions=(*outer.conditions, met), assumed=outer.assumed or met.assumed, around=around)
             if met.assumed:
                 self.doubtfully(partial(self.handle, self, action), UNSURE)
             else:
                 self.handle(self, action)
-            self.here = self.here._replace(conditions=outer.conditions, assumed=outer.assumed)
+            self.here = self.here._replace(conditions=outer.conditions, assumed=outer.assumed, around=outer.around)
 
     def doubtfully(self, work: Callable[[], None], reason: str) -> None:
         """Do what may not be done in a launch: what it sets is not known behind it."""
@@ -405,7 +407,7 @@ class Walk:
         text = condition.operands[-1].place.text
         steered = steer - self.pinned
         origin = self.at(condition.place)
-        self.branches.append(Branch(origin, element, tag, condition.kind, text, taken, steered, outside or bool(steer)))
+        self.branches.append(Branch(origin, element, tag, condition.kind, text, taken, steered, outside or bool(steer), self.here.around))
         if taken is False:
             return None
         shown = "" if value is None else shown_text(value)
