@@ -9,6 +9,7 @@ text anywhere its value goes (part of a path or name, compared with other words)
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import islice, product
 
@@ -49,6 +50,9 @@ if TYPE_CHECKING:
 
 MOST_EVALUATIONS = 48
 """Evaluations of one entry file, tried ones included; real files need 1.6 on average."""
+
+ENOUGH = 2
+"""How often the same is tried in vain to turn a condition, when what takes several args is tried: it may turn another one by chance."""
 
 MOST_TOGETHER = 3
 MOST_COMBINATIONS = 24
@@ -107,9 +111,9 @@ def configurations(session: Session, file: str, given: Pairs = (), way: Way | No
                     changes = (*(pair for pair in before if pair[0] not in changed), *pairs)
                     if set(changes) == set(before) or tuple(sorted(changes)) in tried:
                         continue
-                    tried.add(tuple(sorted(changes)))
-                    if vain.holds(wanted, pairs, changes):
+                    if vain.holds(wanted, pairs, changes, 1 if alone else ENOUGH):
                         continue
+                    tried.add(tuple(sorted(changes)))
                     if evaluations >= MOST_EVALUATIONS:
                         return
                     evaluations += 1
@@ -139,33 +143,31 @@ def configurations(session: Session, file: str, given: Pairs = (), way: Way | No
 
 
 class _Vain:
-    """What was tried to turn a condition, and did not turn it: it does not either where all that the condition depends on is the same."""
+    """What was tried to turn conditions, in vain: so it would be once more where all is the same that they are known to depend on."""
 
     def __init__(self) -> None:
-        self._known: dict[tuple[Side, Pairs], dict[frozenset[tuple[str, str | None]], None]] = {}
+        self._known: dict[tuple[Side, Pairs], Counter[frozenset[tuple[str, str | None]]]] = {}
 
     def note(self, base: Evaluation, pairs: Pairs, changes: Pairs, evaluation: Evaluation, sides: Set[Side]) -> None:
         """Behind ``base``, args ``changes``, among them ``pairs``, were given, and this came of it, with these sides of conditions."""
+        if any(each.around is None for each in base.launch.branches):
+            return
+        hangs_on: dict[tuple[str, int], set[str]] = {}
+        for each in (*base.launch.branches, *evaluation.launch.branches):
+            hangs_on.setdefault(each.element.key, set()).update(each.steered_by, each.around or ())
         given, changed = dict(changes), {name for name, _ in pairs}
-        hangs_on: dict[tuple[str, int], frozenset[str]] = {}
-        for each in evaluation.launch.branches:
-            hangs_on[each.element.key] = hangs_on.get(each.element.key, frozenset()).union(each.steered_by, each.around or ())
-        for branch in _open_branches(base):
-            wanted = _side(branch, not branch.taken)
-            if branch.around is None or wanted in sides:
-                continue
-            names = branch.steered_by.union(branch.around, hangs_on.get(branch.element.key, ()))
-            if not names.isdisjoint(changed):
+        for wanted, names in {_side(each, not each.taken): hangs_on[each.element.key] for each in _open_branches(base)}.items():
+            if wanted not in sides and not names.isdisjoint(changed):
                 values = frozenset((name, given.get(name)) for name in names)
-                self._known.setdefault((wanted, pairs), {})[values] = None
+                self._known.setdefault((wanted, pairs), Counter())[values] += 1
 
-    def holds(self, wanted: Side, pairs: Pairs, changes: Pairs) -> bool:
-        """Whether giving ``changes``, among them ``pairs``, would not turn the condition to ``wanted``, as far as can be told."""
+    def holds(self, wanted: Side, pairs: Pairs, changes: Pairs, enough: int) -> bool:
+        """Whether ``changes``, among them ``pairs``, have been tried in vain so often to turn the condition to ``wanted``."""
         known = self._known.get((wanted, pairs))
         if not known:
             return False
         given = dict(changes)
-        return any(all(given.get(name) == value for name, value in values) for values in known)
+        return any(count >= enough and all(given.get(name) == value for name, value in values) for values, count in known.items())
 
 
 def _work(evaluation: Evaluation) -> int:
