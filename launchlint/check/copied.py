@@ -20,6 +20,7 @@ PREFIX = "project "
 NOTE = "{} is a copy of a public package, and that is where to mend it"
 NAMED = "{} is called as a public package, and says that it is from elsewhere: that is where to mend it"
 SIGNED = "{} has a licence, of people who made none of the packages here that have none: that is where to mend it"
+KNOWN = "{} is one of the packages that people copy into their workspaces, made by others: where it is from is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 WITHOUT = "{} is another project, which is kept here without a package.xml, and that is where to mend it"
 _ENDS = (".launch", ".xml", ".test", ".py", ".yaml", ".yml")
@@ -115,7 +116,7 @@ def _milder(finding: Finding, origin: _Origin) -> Finding:
 
 def _origin(package: Package, packages: Packages) -> _Origin:
     """Whose copy a package is."""
-    from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_released, is_signed, kept_whole
+    from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_released, is_signed, is_well_known, kept_whole
 
     if is_copy(package, packages):
         return _Origin(NOTE.format(package.name), package.directory, is_public=True)
@@ -123,6 +124,8 @@ def _origin(package: Package, packages: Packages) -> _Origin:
     if project:
         note = WHOLE.format(package.name, posixpath.basename(project))
         return _Origin(note, project, is_public=is_released(package))
+    if is_well_known(package, packages):
+        return _Origin(KNOWN.format(package.name), package.directory)
     if is_from_elsewhere(package, packages):
         return _Origin(NAMED.format(package.name))
     if is_signed(package, packages):

@@ -6,7 +6,7 @@ import posixpath
 
 from launchlint.late import late
 from launchlint.rules.judging.metapackages import members
-from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_signed, kept_whole
+from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_signed, is_well_known, kept_whole
 from launchlint.syntax.tree import Document
 from launchlint.workspace.looking import is_file, walk
 from launchlint.workspace.mentions import install_lines, says_install
@@ -44,6 +44,8 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
     if project:
         whole = posixpath.basename(project)
         return f"{home.name} is part of another project, {whole}, which is kept here as a whole: that is where to declare {name}"
+    if is_well_known(home, packages):
+        return f"{home.name} is one of the packages that people copy, made by others: where it is from is where to declare {name}"
     if is_signed(home, packages):
         return f"{home.name} has a licence, of people who made none of the packages here that have none: it seems to be a copy"
     return ""

@@ -14,6 +14,7 @@ from functools import partial
 
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
+from launchlint.workspace.copied_packages import is_copied
 from launchlint.workspace.looking import Looked, is_file, names, note, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
@@ -84,6 +85,14 @@ def is_from_elsewhere(home: Package, packages: Packages) -> bool:
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
     return bool(_origins(manifest)) or (not _of_template(manifest.people) and workspace.left_as_made >= _SOME)
+
+
+def is_well_known(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is one of the packages that people copy, in a workspace of others: of these, too, there are packages."""
+    manifest = home.manifest
+    if manifest is None or not is_copied(manifest.name, manifest.people):
+        return False
+    return packages.once(_Workspaces).around(home.directory).has_own
 
 
 def is_signed(home: Package, packages: Packages) -> bool:
@@ -306,7 +315,10 @@ class _Workspaces:
 
 
 class _Workspace:
-    """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has."""
+    """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has.
+
+    ``has_own``: at least one is of people of whom no package is here that is known to be copied.
+    """
 
     def __init__(self, everything: Sequence[Package]) -> None:
         self._count = len(everything)
@@ -324,6 +336,9 @@ class _Workspace:
             for origin in _origins(manifest):
                 self._from_origins.setdefault(origin, set()).add(number)
         self.left_as_made = sum(_is_left_as_made(manifest.people) for _, _, manifest in self._known)
+        copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
+        theirs = _people(copied)
+        self.has_own = bool(copied) and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
 
     def is_of_others_than(self, home: Package, manifest: Manifest) -> bool:
         """Whether most packages, as they are told apart by :func:`_is_of_others`, are of others than those of ``home``, a public one."""

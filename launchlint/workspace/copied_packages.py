@@ -1,0 +1,28 @@
+"""The packages that people copy into their workspaces, told by their names and whose they are.
+
+No index has released many of them: drivers of makers, workspaces of courses, what comes with a paper. The data is ``copied_packages.txt``
+beside this module, written by ``scripts/copied_packages.py``: the packages of public projects, and those that several owners have in their
+repositories. Of the people it has a mark only, no address.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterable
+
+from launchlint.workspace.public_packages import PublicPackages
+
+_COPIED = PublicPackages(os.path.join(os.path.dirname(os.path.abspath(__file__)), "copied_packages.txt"))
+_LENGTH = 8
+
+
+def mark(name: str, people: Iterable[str]) -> str:
+    """What stands in the list for the package ``name`` of ``people``, who are addresses in small letters."""
+    return hashlib.sha256("\n".join((name, *sorted(people))).encode("utf-8", "replace")).hexdigest()[:_LENGTH]
+
+
+def is_copied(name: str, people: Iterable[str]) -> bool:
+    """Whether the package ``name`` of ``people`` is in the list; one of nobody is in none."""
+    marks = _COPIED.get(name)
+    return marks is not None and mark(name, people) in marks
