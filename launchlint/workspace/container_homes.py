@@ -1,4 +1,4 @@
-"""Home directories that a workspace's own containers have: made by its Dockerfiles, or mounted by compose files and docker scripts."""
+"""Directories that a workspace's own containers have: made by its Dockerfiles, or mounted by compose files and docker scripts."""
 
 from __future__ import annotations
 
@@ -18,27 +18,35 @@ _IN_IMAGE = re.compile(r"(?<![\w.$/-])/home/([\w.-]+)")
 _USER = re.compile(r"^[ \t]*USER[ \t]+([a-z_][\w.-]*)", re.MULTILINE)
 # What stands behind the colon of a mount, or as its target; not the side of the host.
 _MOUNTED = re.compile(r"(?::|(?:target|dst|destination|workdir)[= ][\"']?|workspaceFolder\"[ \t]*:[ \t]*\")/home/([\w.-]+)")
+_DIRECTORY = r"(/(?!(?:home|opt/ros|usr|etc|bin|lib|dev|proc|sys|var|run|tmp)(?:/|$|\s))\w[\w.-]*)"
+"""The first directory of a path that is not one of every machine."""
+_MADE = re.compile(rf"^[ \t]*(?:WORKDIR[ \t]+|RUN[ \t]+mkdir[ \t]+(?:-p[ \t]+)?){_DIRECTORY}", re.MULTILINE)
+_MOUNTED_AT = re.compile(rf"(?::|(?:target|dst|destination|workdir)[= ][\"']?|workspaceFolder\"[ \t]*:[ \t]*\"){_DIRECTORY}")
 _DOCKER = re.compile(r"\b(?:docker|podman)\b", re.IGNORECASE)
 
 
 class Homes(NamedTuple):
-    """The ``users`` below ``/home`` of the containers, and the places that were looked at."""
+    """The ``users`` below ``/home`` of the containers, other ``directories`` of theirs (``/ws``), and the places that were looked at."""
 
     users: frozenset[str]
+    directories: frozenset[str]
     looked: frozenset[str]
 
 
 def read_homes(directories: Iterable[str]) -> Homes:
     """Whose home directories the containers of ``directories`` have; nothing is run. Bounded; never raises."""
     users: set[str] = set()
+    made: set[str] = set()
     looked: set[str] = set()
     for file, text in texts(_places(directories), _MOST_FILES, looked):
         name = os.path.basename(file)
         if _is_image(name):
             users.update(_IN_IMAGE.findall(text), _USER.findall(text))
+            made.update(_MADE.findall(text))
         elif _mounts(name) or _DOCKER.search(text):
             users.update(_MOUNTED.findall(text))
-    return Homes(frozenset(users), frozenset(looked))
+            made.update(_MOUNTED_AT.findall(text))
+    return Homes(frozenset(users), frozenset(made), frozenset(looked))
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:

@@ -321,6 +321,12 @@ class Packages:
 
         return self._survey(read_homes).users
 
+    def container_directories(self) -> frozenset[str]:
+        """The directories right below the root (``/ws``) that the containers of the workspaces have, and other machines have not."""
+        from launchlint.workspace.container_homes import read_homes
+
+        return self._survey(read_homes).directories
+
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.
 

@@ -7,7 +7,7 @@ and where it begins in a package that is not here: how that lies, its own people
 directory roslaunch is started in. Absolute names of system configuration (`/etc`, `/dev`, `/tmp` and the like) are passed over, and so is
 all that begins with a substitution other than `$(find …)` and `$(dirname)`.
 
-Home directories that the containers of the workspace have (Dockerfiles, compose files, `docker run` in scripts) are passed over, and those
+Directories that the containers of the workspace have (Dockerfiles, compose files, `docker run` in scripts) are passed over, and homes
 of users that a `<machine>` of the file logs in as.
 
 In the values of args and params, and in what nodes get as `args` or `env`, it speaks about paths below the home directory of one person
@@ -204,9 +204,12 @@ def _home(plain: str, view: FileView, words: Words | None) -> _Fault | None:
 
 
 def _is_in_container(path: str, view: FileView) -> bool:
-    """Whether it lies in a home directory that a container of this workspace has: it is the same on each machine then."""
+    """Whether it lies in a home directory, or another one, that a container of this workspace has: it is the same on each machine then."""
     found = re.match(r"/home/([\w.-]+)/", path)
-    return found is not None and found[1] in view.packages.container_users()
+    if found is not None:
+        return found[1] in view.packages.container_users()
+    first = re.match(r"/[\w.-]+(?=/)", path)
+    return first is not None and first[0] in view.packages.container_directories()
 
 
 def _logs_in(path: str, view: FileView) -> bool:
