@@ -21,6 +21,8 @@ NOTE = "{} is a copy of a public package, and that is where to mend it"
 NAMED = "{} is called as a public package, and says that it is from elsewhere: that is where to mend it"
 SIGNED = "{} has a licence, of people who made none of the packages here that have none: that is where to mend it"
 KNOWN = "{} is one of the packages that people copy into their workspaces, made by others: where it is from is where to mend it"
+RENAMED = "{} is a copy of the public package {} by its address in the wiki of ROS, and that is where to mend it"
+GENERATED = "the setup assistant of CHAMP wrote {}, and would again"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 WITHOUT = "{} is another project, which is kept here without a package.xml, and that is where to mend it"
 _ENDS = (".launch", ".xml", ".test", ".py", ".yaml", ".yml")
@@ -116,14 +118,29 @@ def _milder(finding: Finding, origin: _Origin) -> Finding:
 
 def _origin(package: Package, packages: Packages) -> _Origin:
     """Whose copy a package is."""
-    from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_released, is_signed, is_well_known, kept_whole
+    from launchlint.rules.judging.projects import (
+        is_copy,
+        is_from_elsewhere,
+        is_generated,
+        is_released,
+        is_released_beside_own,
+        is_renamed,
+        is_signed,
+        is_well_known,
+        kept_whole,
+    )
 
-    if is_copy(package, packages):
+    if is_copy(package, packages) or is_released_beside_own(package, packages):
         return _Origin(NOTE.format(package.name), package.directory, is_public=True)
     project = kept_whole(package, packages)
     if project:
         note = WHOLE.format(package.name, posixpath.basename(project))
         return _Origin(note, project, is_public=is_released(package))
+    renamed = is_renamed(package, packages)
+    if renamed:
+        return _Origin(RENAMED.format(package.name, renamed), package.directory)
+    if is_generated(package):
+        return _Origin(GENERATED.format(package.name))
     if is_well_known(package, packages):
         return _Origin(KNOWN.format(package.name), package.directory)
     if is_from_elsewhere(package, packages):

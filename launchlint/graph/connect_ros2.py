@@ -86,8 +86,8 @@ def _known(library: Library, node: Node) -> _Known:
         variants = program.variant(start)
         if not name:
             name = _said(variants, "node", start)
-        if not node.has_namespace and (own := _said(variants, "namespace", start)).startswith("/"):
-            namespace = f"{own.rstrip('/')}/"
+        if not node.has_namespace and (own := _said(variants, "namespace", start).strip("/")):
+            namespace = f"/{own}/"  # rcl_node_init puts the slash before it where there is none
     name = name if name == node.name or is_node_name(name) else ""
     if node.own_as is not None and name:  # what its params are under the name that it gives itself
         node = node._replace(**node.own_as(f"{namespace}{name}")._asdict())

@@ -7,12 +7,14 @@ import re
 from collections.abc import Iterable, Iterator
 
 from launchlint.named_tuple import NamedTuple
-from launchlint.workspace.looking import names, walk
+from launchlint.workspace.looking import walk
 from launchlint.workspace.texts import texts
 
 _MOST_DIRECTORIES = 1_000
 _MOST_FILES = 300
-_HIDDEN = ".devcontainer"
+HIDDEN = (".devcontainer", ".docker")
+"""Hidden directories in which people keep what their containers are made of."""
+MOST_HIDDEN = 50
 _SCRIPT_ENDS = (".sh", ".bash", ".py", "Makefile", "justfile")
 _IN_IMAGE = re.compile(r"(?<![\w.$/-])/home/([\w.-]+)")
 _USER = re.compile(r"^[ \t]*USER[ \t]+([a-z_][\w.-]*)", re.MULTILINE)
@@ -51,8 +53,8 @@ def read_homes(directories: Iterable[str]) -> Homes:
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
-        hidden = os.path.join(top, _HIDDEN)
-        for directory, listed in ((hidden, names(hidden)), *walk(top, _MOST_DIRECTORIES)):
+        hidden = (each for name in HIDDEN for each in walk(os.path.join(top, name), MOST_HIDDEN))
+        for directory, listed in (*hidden, *walk(top, _MOST_DIRECTORIES)):
             yield directory, [name for name in listed if _is_image(name) or _mounts(name) or name.endswith(_SCRIPT_ENDS)]
 
 

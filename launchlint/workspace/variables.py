@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from launchlint.named_tuple import NamedTuple
+from launchlint.workspace.container_homes import HIDDEN, MOST_HIDDEN
 from launchlint.workspace.looking import walk
 from launchlint.workspace.texts import texts
 
@@ -19,7 +20,8 @@ _COMPOSE_ENDS = (".yml", ".yaml")
 _SHELL = re.compile(r"^[ \t]*(?:(?:export|declare -x)[ \t]+|Environment=[\"']?)?([A-Za-z_]\w*)=", re.MULTILINE)
 _SHELL_NAME = re.compile(r"\.?[\w-]*(?:env|setup|profile|vars)[\w-]*", re.IGNORECASE)
 """What people call a shell file that they source, without an ending: ``envsetup``."""
-_DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)", re.MULTILINE | re.IGNORECASE)
+_DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)|(?<=\\\n)[ \t]*([A-Za-z_]\w*)=", re.MULTILINE | re.IGNORECASE)
+"""In an image; one ``ENV`` may go on in further lines."""
 _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", re.MULTILINE)
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 # No grammar, a look through whole files, comments and all: that a variable is read in many files is a reason for less, never for more.
@@ -44,7 +46,7 @@ def read_variables(directories: Iterable[str]) -> Variables:
     for file, text in texts(_places(directories, lambda name: _pattern(name) is not None), _MOST_FILES, looked):
         pattern = _pattern(os.path.basename(file))
         for match in () if pattern is None else pattern.finditer(text):
-            found.setdefault(match[1], file)
+            found.setdefault(match[match.lastindex or 0], file)
     return Variables(found, frozenset(looked))
 
 
@@ -79,7 +81,8 @@ def read_in_launch_files(directories: Iterable[str]) -> Readers:
 
 def _places(directories: Iterable[str], wanted: Callable[[str], bool]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
-        for directory, listed in walk(top, _MOST_DIRECTORIES):
+        hidden = (each for name in HIDDEN for each in walk(os.path.join(top, name), MOST_HIDDEN))
+        for directory, listed in (*hidden, *walk(top, _MOST_DIRECTORIES)):
             yield directory, [name for name in listed if wanted(name)]
 
 

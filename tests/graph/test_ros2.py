@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.names_rcl import RclNamer
 from launchlint.graph.topology import topology
+from launchlint.library.file import open_library
 from launchlint.library.lookup import Library
 from launchlint.model import Remap
 from launchlint.source import Origin, Place, Source, Span
@@ -76,6 +78,27 @@ def test_nodes_that_launch_gives_no_name_are_called_by_their_program(tmp_path: P
         "/(talker 2) publisher /chatter",
         "/(talker 2) subscriber /(talker 2)/in",
     ]
+
+
+@pytest.mark.parametrize(
+    ("own", "given", "topic"),
+    [
+        ("surface", "", "/surface/chatter"),
+        ("/surface", "", "/surface/chatter"),
+        ("surface", ' namespace="a"', "/a/chatter"),
+        ("", "", "/chatter"),
+    ],
+)
+def test_the_namespace_that_a_node_gives_itself(tmp_path: Path, own: str, given: str, topic: str) -> None:
+    workspace = Workspace(tmp_path, f'<node pkg="pk" exec="talker" name="t"{given}/>')
+    published = [{"name": "chatter", "type": "std_msgs/msg/String", "evidence": [{"by": "manual", "at": "a"}]}]
+    said = {"namespace": own} if own else {}
+    package = {"middleware": "ros2", "executables": {"talker": program("other", publishers=published, **said)}}
+    file = tmp_path / "library.json"
+    file.write_text(json.dumps({"format": "launchlint-library", "version": 2, "packages": {"pk": package}}))
+    launch = evaluate(workspace.session(), str(workspace.launch_files / "main.launch.xml")).launch
+    found = connect(launch, Library([open_library(str(file))], bundled=False))
+    assert [edge.rpartition(" ")[2] for edge in edges(found)] == [topic]
 
 
 def test_nodes_meet_in_channels_and_actions_are_not_topics(tmp_path: Path) -> None:

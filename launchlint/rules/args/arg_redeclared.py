@@ -1,7 +1,9 @@
 """An arg is declared twice in one scope.
 
 Each arg may be declared once in a file. A group may declare args of its own, but not one that the file around it has
-declared; two declarations of which only one is evaluated (`if` and `unless` with the same value) are fine.
+declared; two declarations of which only one is evaluated (`if` and `unless` with the same value) are fine. Two of which each has a switch
+of its own (`if="$(arg left)"`, `if="$(arg right)"`), so that only another value of an arg than its default brings them together, are
+alternatives: that is an info.
 
 ## Why it matters
 
@@ -39,32 +41,50 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ArgRedeclared
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.late import late
 from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, fix, remove_element, spot
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL203", "arg-redeclared", Severity.ERROR, roslaunch="refuses", fixable="safe")
 _MOST_NAMED = 6
+_WORD = late(r"\w+")
 
 
-def tell(problem: ArgRedeclared, view: object) -> Iterator[Finding]:
+def tell(problem: ArgRedeclared, view: LaunchView) -> Iterator[Finding]:
     """Point at both. Silent where it depends on a condition of unknown value: the two may exclude each other."""
     if problem.assumed:
         return
     name = problem.name
+    switches = _own_switches(problem, view) if view.tried else []
+    notes: tuple[str, ...] = (f"roslaunch stops with: arg '{name}' has already been declared",)
+    if switches:
+        notes = (*notes, f"only one of the two hangs on {' and on '.join(switches)}, so that they may be alternatives")
     yield RULE.at(
         problem.origin,
         f"the arg {name} is declared twice",
-        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        severity=Severity.INFO if switches else Severity.ERROR if problem.refused else Severity.WARNING,
         label="the second declaration",
         related=problem.related,
-        notes=(f"roslaunch stops with: arg '{name}' has already been declared",),
+        notes=notes,
         help="remove one, or give them conditions that exclude each other",
         topic=name,
-        cause=problem.place.source.path,
-        fix=_fix(problem, view),
+        cause=f"{problem.place.source.path}{' '.join(['', *switches])}",
+        fix=None if switches else _fix(problem, view),
     )
+
+
+def _own_switches(problem: ArgRedeclared, view: LaunchView) -> list[str]:
+    """The args that the `if` of one of the two declarations names, and that of the other does not; both have one."""
+    both = [spot(view, place) for place in (problem.place, *(place for place, _ in problem.related[:1]))]
+    said = [condition for at in both if at is not None and (condition := at.element.get("if"))]
+    if len(said) < 2:
+        return []
+    declared = {each.name for each in view.launch.declared}
+    one, other = (declared.intersection(_WORD.findall(each)) for each in said)
+    return sorted(one ^ other) if one and other else []
 
 
 def together(findings: Sequence[Finding]) -> Finding:
@@ -82,7 +102,7 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
         yield from [joined(several)] if len(several) > 1 else several
 
 
-def _fix(problem: ArgRedeclared, view: object) -> Fix | None:
+def _fix(problem: ArgRedeclared, view: LaunchView) -> Fix | None:
     """Of two declarations that say the same, the second goes."""
     second = spot(view, problem.place)
     first = spot(view, problem.related[0][0]) if problem.related else None

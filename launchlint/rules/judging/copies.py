@@ -14,18 +14,27 @@ if TYPE_CHECKING:
 
 
 _NOT_BUILT = "COLCON_IGNORE"
+_MOST_ABOVE = 7
+"""Directories above a package in which one is looked for; those of an install space lie deeper than those of sources."""
 
 
 def built_together(copies: Sequence[Package]) -> list[list[Package]]:
     """``copies`` of one name, those together that one catkin would build; what is built for ROS 2 only (ament) is left out.
 
-    So is what a ``COLCON_IGNORE`` sets aside: it is kept in a workspace of ROS 2.
+    So is what a ``COLCON_IGNORE`` sets aside, there or above: it is kept in a workspace of ROS 2, as all that this one installs.
     """
     return _by_source_space(
-        copy
-        for copy in copies
-        if (copy.manifest is None or not copy.manifest.is_ament) and not is_file(posixpath.join(copy.directory, _NOT_BUILT))
+        copy for copy in copies if (copy.manifest is None or not copy.manifest.is_ament) and not _is_set_aside(copy.directory)
     )
+
+
+def _is_set_aside(directory: str) -> bool:
+    """Whether the nearest directories around hold a ``COLCON_IGNORE``."""
+    for _ in range(_MOST_ABOVE):
+        if is_file(posixpath.join(directory, _NOT_BUILT)):
+            return True
+        directory = posixpath.dirname(directory)
+    return False
 
 
 def built_together_by_colcon(copies: Iterable[Package]) -> list[list[Package]]:

@@ -11,7 +11,7 @@ from launchlint.rules.judging.joined import joined
 
 _COPIES = 3
 """Packages that lack the same of which nobody wants to read one by one."""
-_MANY = 3
+_MANY = 2
 """Packages that two do not lack alike by chance."""
 _HABIT = 3
 """Packages of one checkout that lack something: nobody forgot them one by one."""

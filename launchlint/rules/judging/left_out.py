@@ -6,7 +6,16 @@ import posixpath
 
 from launchlint.late import late
 from launchlint.rules.judging.metapackages import members
-from launchlint.rules.judging.projects import is_copy, is_from_elsewhere, is_signed, is_well_known, kept_whole
+from launchlint.rules.judging.projects import (
+    is_copy,
+    is_from_elsewhere,
+    is_generated,
+    is_released_beside_own,
+    is_renamed,
+    is_signed,
+    is_well_known,
+    kept_whole,
+)
 from launchlint.syntax.tree import Document
 from launchlint.workspace.looking import is_file, walk
 from launchlint.workspace.mentions import install_lines, says_install
@@ -38,7 +47,12 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
             return f"{name} is part of {BASE}, the smallest installation, and {home.name} is none of the released packages"
         if _BENCH.search(path) is not None:
             return f"{name} is part of every installation of {BASE}, and it is used to try something out only"
-    if is_copy(home, packages) or is_from_elsewhere(home, packages):
+    if is_generated(home):
+        return f"the setup assistant of CHAMP wrote {home.name}, and would again"
+    renamed = is_renamed(home, packages)
+    if renamed:
+        return f"{home.name} is a copy of the public package {renamed}, and that is where to declare {name}"
+    if is_copy(home, packages) or is_released_beside_own(home, packages) or is_from_elsewhere(home, packages):
         return f"{home.name} is a copy of a public package, and that is where to declare {name}"
     project = kept_whole(home, packages)
     if project:

@@ -8,6 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.packages import Packages
+
 _MEMBERS: Mapping[str, str] = {
     "common_msgs": "actionlib_msgs diagnostic_msgs geometry_msgs nav_msgs sensor_msgs shape_msgs stereo_msgs"
     " trajectory_msgs visualization_msgs",
@@ -62,6 +66,7 @@ _MEMBERS: Mapping[str, str] = {
     "ros2_controllers": "ackermann_steering_controller admittance_controller bicycle_steering_controller diff_drive_controller"
     " force_torque_sensor_broadcaster forward_command_controller imu_sensor_broadcaster joint_state_broadcaster joint_trajectory_controller"
     " range_sensor_broadcaster steering_controllers_library tricycle_controller tricycle_steering_controller",
+    "ros_ign": "ros_ign_bridge ros_ign_gazebo ros_ign_gazebo_demos ros_ign_image",
     "ros_gz": "ros_gz_bridge ros_gz_image ros_gz_sim ros_gz_sim_demos",
     "rosbridge_suite": "rosapi rosbridge_library rosbridge_server",
     "rqt_common_plugins": "rqt_action rqt_bag rqt_bag_plugins rqt_console rqt_dep rqt_graph rqt_image_view"
@@ -113,3 +118,10 @@ _NEEDED: Mapping[str, str] = {
 def members(name: str) -> list[str]:
     """What ``name`` pulls in, if it is well known."""
     return f"{_MEMBERS.get(name, '')} {_NEEDED.get(name, '')}".split()
+
+
+def why_together(one: str, other: str, packages: Packages) -> str:
+    """That a metapackage of the workspaces brings along both packages, for people; empty where none does."""
+    here = (each for place in packages.places[: len(packages.workspaces)] for each in place.everything)
+    found = next((each.name for each in here if each.is_metapackage and {one, other} <= set(each.run_dependencies)), "")
+    return f"the metapackage {found} brings along both" if found else ""

@@ -111,7 +111,7 @@ def _held_against_files(answer: Judgement, name: str, text: str, packages: Packa
         return Judgement(Severity.WARNING, why, _did_you_mean(begun.name), begun.name)
     meant = packages.get(answer.meant, near) if answer.meant else None
     if meant is None and _is_of_another_maker(answer.meant, name, packages) and not _starts_one_of(answer.meant, name, text):
-        return answer._replace(help=_add(name), meant="")
+        return answer._replace(severity=min(answer.severity, Severity.INFO), help=_add(name), meant="")  # then nothing is like it
     if meant is None or not (lacking := lacks_all(meant, name, text)):
         return answer
     if packages.complete:

@@ -57,6 +57,8 @@ _ASSISTED = ".setup_assistant"
 """Beside it, the licence is what MoveIt's Setup Assistant always writes."""
 _SHORTEST_NAME = 3
 _WIKI = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/[^\s<]")
+_PAGE = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/([A-Za-z]\w*)/?")
+_OF_CHAMP = late(r"<description>[^<>]{0,200}\bChamp Config Package\s{0,200}</description>")
 _FIRST_AND_BEHIND_LAST = ("/", "0")
 """What the names of all that lies below a directory go on with, and the sign behind that."""
 _DOWNLOADED = late(
@@ -68,6 +70,34 @@ _DOWNLOADED = late(
 def is_copy(home: Package, packages: Packages) -> bool:
     """Whether ``home`` is a public package in a workspace of others that was released, whence its list of changes."""
     return is_released(home) and _is_of_others(home, packages)
+
+
+def is_released_beside_own(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is a released package, by others than the packages beside it that are left as ``catkin_create_pkg`` made them.
+
+    Who makes releases fills in who they are: these are of somebody else, be there but one of them.
+    """
+    manifest = home.manifest
+    if manifest is None or not is_released(home) or not manifest.people or not _is_filled_in(manifest):
+        return False
+    return packages.once(_Workspaces).around(home.directory).has_left_as_made
+
+
+def is_renamed(home: Package, packages: Packages) -> str:
+    """The public package that ``home`` is a copy of under another name, as its address in the wiki of ROS says; else empty.
+
+    It is none where that package is here, too, or is a metapackage, which this may belong to.
+    """
+    manifest = home.manifest
+    if manifest is None or _is_public(home.name):
+        return ""
+    named = (match[1] for _, address in manifest.urls if (match := _PAGE.fullmatch(address)) is not None)
+    return next((each for each in named if _is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
+
+
+def is_generated(home: Package) -> bool:
+    """Whether the setup assistant of CHAMP wrote the package, which says so."""
+    return home.manifest is not None and _OF_CHAMP.search(home.manifest.source.text) is not None
 
 
 def is_released(home: Package) -> bool:
@@ -317,6 +347,7 @@ class _Workspaces:
 class _Workspace:
     """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has.
 
+    ``has_left_as_made``: at least one of them has no licence either.
     ``has_own``: at least one is of people of whom no package is here that is known to be copied.
     """
 
@@ -336,6 +367,7 @@ class _Workspace:
             for origin in _origins(manifest):
                 self._from_origins.setdefault(origin, set()).add(number)
         self.left_as_made = sum(_is_left_as_made(manifest.people) for _, _, manifest in self._known)
+        self.has_left_as_made = any(_is_left_as_made(each.people) and not _is_filled_in(each) for _, _, each in self._known)
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = _people(copied)
         self.has_own = bool(copied) and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
@@ -395,6 +427,16 @@ def _is_left_as_made(people: frozenset[str]) -> bool:
 
 def _of_template(people: frozenset[str]) -> frozenset[str]:
     return frozenset(each for each in people if each.endswith(_TEMPLATE))
+
+
+def _is_filled_in(manifest: Manifest) -> bool:
+    """Whether somebody has said what the licence is, and who they are."""
+    return _is_licensed(manifest) and not _of_template(manifest.people)
+
+
+def _is_part(page: str, name: str) -> bool:
+    """Whether the words of ``page`` stand in ``name``, which has one more in front or behind: ``lms1xx_robot`` of ``LMS1xx``."""
+    return page.lower() != name.lower() and f"_{page.lower()}_" in f"_{name.lower()}_"
 
 
 def _is_in(package: str, directory: str) -> bool:

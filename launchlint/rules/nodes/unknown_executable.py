@@ -97,6 +97,7 @@ RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", 
 _MOST_NAMED = 6
 _MOST_PACKAGES = 3
 _NONE = "none at all"
+_CORRECT = "correct the name, or let"
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb")
 
 
@@ -173,7 +174,9 @@ def together(findings: Sequence[Finding]) -> Finding:
     package = whole.cause.removesuffix(f"/{_NONE}").rpartition(" ")[2]
     return whole._replace(
         message=f"the package {package} has none of {len(names)} executables: {', '.join(names[:_MOST_NAMED])}{more}",
-        help=f"let the CMakeLists.txt of {package} build them, or correct the package",
+        help=f"{whole.help.rpartition(' ')[0].replace('name', 'names', 1)} them"
+        if whole.help.startswith(_CORRECT)
+        else f"let the CMakeLists.txt of {package} build them, or correct the package",
         fix=None,
     )
 
@@ -202,6 +205,7 @@ def _in_ros2(view: GraphView) -> Iterator[Finding]:
         some = _some(names)
         severity = Severity.WARNING if any(condition.assumed for condition in node.conditions) else RULE.severity
         others = installs(view.packages).having(node.executable)
+        reason = node.executable if near else f"in {' '.join(others)}" if others else _NONE
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {node.executable}",
@@ -216,9 +220,10 @@ def _in_ros2(view: GraphView) -> Iterator[Finding]:
                 same or slip,
                 near,
                 others,
-                f"correct the name, or let {build_file(missing.package)} of {node.package} install {node.executable}",
+                f"{_CORRECT} {build_file(missing.package)} of {node.package} install {node.executable}",
             ),
-            cause=f"{severity.word} {node.package}/{node.executable}",
+            cause=f"{severity.word} {node.package}/{reason}",
+            topic=node.executable,
             fix=None if slip is None or near != slip else _fix(node, view, slip),
         )
 

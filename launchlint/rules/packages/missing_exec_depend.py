@@ -90,6 +90,7 @@ from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.plural import listed
 from launchlint.rules.judging.copies import first_of_name
+from launchlint.rules.judging.metapackages import members, why_together
 from launchlint.rules.judging.missing_package import is_placeholder
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
@@ -198,6 +199,7 @@ def check(view: FileView) -> Iterator[Finding]:
         closes = way is not None and (way.built or is_test or ros2)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
         reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages) or idle
+        reason = reason or (why_together(home.name, name, packages) if way else "")
         tried = not (tested or reason) and (name == _EXERCISE or is_trial(file, home))
         yield RULE.at(
             place if at is None else place._replace(span=at),
@@ -474,8 +476,6 @@ def _is_test_of_ros2(document: Document, home: Package) -> bool:
 
 def _with_what_they_declare(names: set[str], packages: Packages, near: str) -> set[str]:
     """``names``, and all that they need to run, as far as they can be seen here; of well-known metapackages the members."""
-    from launchlint.rules.judging.metapackages import members
-
     reached: set[str] = set()
     waiting = sorted(names)
     here = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]

@@ -3,7 +3,8 @@
 It is told where the library knows the node completely, and none of the names in its code (topics, services, actions, params)
 is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
 where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
-do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is where the
+do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is where a
+further namespace stands before the name of the node in its own one, in which another file may include this one; where the
 sources of the node have the name in a comment, and where none of several remaps of a node matches anything and it has params that
 the program does not read, whose sources are not here: all this may be for another version; and so it is of a public program in a package
 that rosbuild builds. A name that the node would have if it were
@@ -197,7 +198,10 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
     old = not _is_read_here(instance) and is_of_rosbuild(view.packages.package_of(origin.place.source.file))
     if old:
         notes.append(SINCE)
-    severity = Severity.INFO if off or other or old or all(_is_harmless(miss) for miss in misses) else RULE.severity
+    whole = "" if topic else _namespace_of_whole(first)
+    if whole:
+        notes.append(f"it would act if this file were included in the namespace {whole}")
+    severity = Severity.INFO if off or other or old or whole or all(_is_harmless(miss) for miss in misses) else RULE.severity
     return RULE.at(
         origin,
         f"the remap of {written} matches nothing: {who}",
@@ -210,6 +214,13 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
         cause=_cause(origin, instance, severity, written, advice) if len(misses) == 1 else "",
         about=(instance.program.partition("/")[0], written),
     )
+
+
+def _namespace_of_whole(miss: _Miss) -> str:
+    """The namespace before the node's own one in which the remap would act, where a name of the node in that stands in its source."""
+    source, inside = miss.applied.source, f"{miss.instance.namer.namespace.rstrip('/')}/"
+    names = (full for full in miss.names.spelled if inside != "/" and full.startswith(inside))
+    return next((source.removesuffix(full) for full in names if source.endswith(full) and source != full), "")
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
