@@ -113,6 +113,10 @@ def _of_other(rule: Rule, miss: Miss) -> Finding:
     same = [each for each in own if each.lstrip("~/") == written.lstrip("~/") or each.rpartition("/")[2].lstrip("~") == last]
     near = same[0] if len(same) == 1 else closest(written, own)
     anyhow = applied.target in miss.names
+    inside = f"{instance.namer.namespace.rstrip('/')}/"
+    whole = next((each for each in miss.names if applied.source.endswith(each) and inside != "/" and each.startswith(inside)), "")
+    if whole:
+        notes.append(f"it would act if this file were included in the namespace {applied.source.removesuffix(whole)}")
     if anyhow:
         near = None
     elif not own:
@@ -122,7 +126,7 @@ def _of_other(rule: Rule, miss: Miss) -> Finding:
     return rule.at(
         miss.origin,
         f"the remap of {written} does nothing: {instance.name} ({instance.program}) has no such name",
-        severity=None if own and not anyhow else Severity.INFO,
+        severity=None if own and not anyhow and not whole else Severity.INFO,
         label="no such name",
         notes=tuple(notes),
         help=f"remove it: {applied.target} is what the node uses anyhow"
