@@ -1,4 +1,4 @@
-"""Packages that a checkout keeps twice: what is said in the same words of one place in both is one finding."""
+"""Packages that a checkout keeps twice: what is said of the same line in both is one finding."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ def judged_by_twins(findings: Iterable[Finding], known: Known) -> Iterator[Findi
 
 
 def _said(finding: Finding, names: dict[str, str], known: Known) -> tuple[str, ...] | None:
-    """What ``finding`` says, of which file of which package, whatever directory that lies in; None where no other has its name."""
+    """What ``finding`` says, of which line of which file of which package, whatever directory that lies in; None where no other has its
+    name.
+    """
     file = known.file(finding.location.path)
     package = known.packages.package_of(file)
     name = None if package is None else names.get(package.directory)
     if package is None or name is None:
         return None
     inside = file[len(package.directory) + 1 :]
-    directory = finding.location.path[: -len(inside)]
-    message = finding.message.replace(directory, f"{name}/") if directory else finding.message
-    return (name, inside, finding.rule, finding.severity.word, message)
+    return (name, inside, finding.rule, finding.severity.word, finding.label, finding.topic, finding.location.text.strip())

@@ -12,11 +12,23 @@ from collections.abc import Iterable, Iterator
 from launchlint.check.given_together import BOOLEANS
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.workspace.looking import is_file
 
 NOTE = "MoveIt's Setup Assistant writes this switch into every package, and no launch file here gives {}"
 AGAIN = "MoveIt's Setup Assistant writes this file so, and would again"
 _NAMED = frozenset(("LL401", "LL411", "LL502"))
+_ARGS = frozenset(
+    """
+    db debug execution_type fake_execution fake_execution_type info load_robot_description moveit_controller_manager
+    moveit_manage_controllers pipeline rviz_tutorial start_state_max_bounds_error
+    """.split()
+)
+"""Args that it declares in files for the taking, whatever is done with them there."""
+_FILES = late(
+    r"(?:demo|demo_gazebo|move_group|moveit_rviz|planning_context|default_warehouse_db)\.launch"
+    r"|[\w-]*(?:controller_manager|planning_pipeline|trajectory_execution|sensor_manager|warehouse|warehouse_settings)\.launch\.xml"
+)
 _DEMOS = frozenset(("demo.launch", "demo_gazebo.launch"))
 """The launch files of the assistant's that set params of nodes."""
 
@@ -32,7 +44,18 @@ def judged_by_assistant(findings: Iterable[Finding], known: Known) -> Iterator[F
                 finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(given)))
         elif finding.rule == "LL504" and finding.severity is Severity.WARNING and _is_demo(finding) and _is_made(finding, known):
             finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, AGAIN), cause=f"{finding.cause}; {AGAIN}")
+        elif finding.rule == "LL206" and finding.severity is Severity.WARNING and _is_in_file_of_assistant(finding):
+            from launchlint.rules.args.unused_arg import name_of
+
+            name = name_of(finding)
+            if name in _ARGS and _is_made(finding, known):
+                note = f"MoveIt's Setup Assistant declares {name} in such a file"
+                finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, note), cause=f"{finding.cause}; {note}")
         yield finding
+
+
+def _is_in_file_of_assistant(finding: Finding) -> bool:
+    return _FILES.fullmatch(finding.location.path.rpartition("/")[2]) is not None
 
 
 def _is_demo(finding: Finding) -> bool:

@@ -28,6 +28,10 @@ _LINKED = re.compile(
 _NEW_TEMPLATE = re.compile(r"^[ \t]*cmake_minimum_required\s*\(\s*VERSION\s+3\.(?:0\.2|[1-9])", re.MULTILINE | re.IGNORECASE)
 _NAMED = re.compile(r"(?<![A-Za-z])(fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)(?![A-Za-z])", re.IGNORECASE)
 
+_UBUNTU = {"14.04": "indigo", "16.04": "kinetic", "18.04": "melodic", "20.04": "noetic"}
+"""The one distribution of ROS 1 that was built for good for each Ubuntu that outlived it (REP 3)."""
+_ON_UBUNTU = re.compile(r"\bubuntu[ :_-]{1,2}(1[468]\.04|20\.04)\b", re.IGNORECASE)
+
 
 # Not what builds ROS itself, with the catkin that lies among its sources.
 _INSTALLS = re.compile(
@@ -45,7 +49,7 @@ _SHORTEST = 6
 
 
 class Distributions(NamedTuple):
-    """The distributions of ROS 1 that are named (small letters), and the places that were looked at.
+    """The distributions of ROS 1 that are named (small letters), or else those of the Ubuntus that are, and the places that were looked at.
 
     ``installs``: the directories of the files with a step that installs what is built (catkin builds a devel space without one).
     ``templates``: the distributions of the templates from which the ``CMakeLists.txt`` of the packages were made; it is but a hint.
@@ -72,6 +76,7 @@ def read_distributions(directories: Iterable[str], packages: Iterable[str] = ())
     """The distributions that files below ``directories`` name, and those in the directories of ``packages``. Bounded; never raises."""
     looked: set[str] = set()
     found: set[str] = set()
+    systems: set[str] = set()
     templates: set[str] = set()
     installs: set[str] = set()
     fetched: dict[str, str] = {}
@@ -81,6 +86,7 @@ def read_distributions(directories: Iterable[str], packages: Iterable[str] = ())
             templates.update(["noetic"] if _NEW_TEMPLATE.search(text) else [])
             continue
         found.update(name.lower() for name in _NAMED.findall(text))
+        systems.update(_UBUNTU[version] for version in _ON_UBUNTU.findall(text))
         if _INSTALLS.search(text) or (_COLCON.search(text) and not _ROS_2.search(text)):
             installs.add(os.path.dirname(file))
         for line in text.split("\n") if _FETCHES.search(text) else ():
@@ -88,7 +94,9 @@ def read_distributions(directories: Iterable[str], packages: Iterable[str] = ())
                 for name in _FETCHED.findall(line):
                     if len(name) >= _SHORTEST:
                         fetched.setdefault(name, file)
-    return Distributions(frozenset(found), frozenset(looked), frozenset(installs), frozenset(templates), MappingProxyType(fetched))
+    return Distributions(
+        frozenset(found or systems), frozenset(looked), frozenset(installs), frozenset(templates), MappingProxyType(fetched)
+    )
 
 
 def _places(directories: Iterable[str], packages: Iterable[str]) -> Iterator[tuple[str, list[str]]]:

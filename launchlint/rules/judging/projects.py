@@ -56,6 +56,7 @@ _NO_LICENCE = "TODO"
 _ASSISTED = ".setup_assistant"
 """Beside it, the licence is what MoveIt's Setup Assistant always writes."""
 _SHORTEST_NAME = 3
+_WORD = late(r"[a-z]{3,}")
 _WIKI = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/[^\s<]")
 _PAGE = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/([A-Za-z]\w*)/?")
 _OF_CHAMP = late(r"<description>[^<>]{0,200}\bChamp Config Package\s{0,200}</description>")
@@ -73,24 +74,31 @@ def is_copy(home: Package, packages: Packages) -> bool:
 
 
 def is_released_beside_own(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is a released package, by others than the packages beside it that are left as ``catkin_create_pkg`` made them.
+    """Whether ``home`` is a public package that says whose it is, beside packages that are left as ``catkin_create_pkg`` made them.
 
-    Who makes releases fills in who they are: these are of somebody else, be there but one of them.
+    Who makes releases fills in who they are: these are of somebody else, be there but one of them. It has a list of changes, or its people
+    have nothing to do with those of the others.
     """
     manifest = home.manifest
-    if manifest is None or not is_released(home) or not manifest.people or not _is_filled_in(manifest):
+    if manifest is None or not _is_public(home.name) or not manifest.people or not _is_filled_in(manifest):
         return False
-    return packages.once(_Workspaces).around(home.directory).has_left_as_made
+    words = packages.once(_Workspaces).around(home.directory).words_left_as_made
+    return bool(words) and (is_released(home) or words.isdisjoint((*_words(manifest), *_words_of_addresses(manifest))))
 
 
 def is_renamed(home: Package, packages: Packages) -> str:
-    """The public package that ``home`` is a copy of under another name, as its address in the wiki of ROS says; else empty.
+    """The public package that ``home`` is a copy of under another name, as its address in the wiki of ROS or its people say; else empty.
 
     It is none where that package is here, too, or is a metapackage, which this may belong to.
     """
     manifest = home.manifest
     if manifest is None or _is_public(home.name):
         return ""
+    words = home.name.split("_")
+    starts = ("_".join(words[:end]) for end in range(len(words) - 1, 0, -1))
+    known = next((each for each in starts if is_copied(each, manifest.people) and not packages.has(each)), "")
+    if known:
+        return known
     named = (match[1] for _, address in manifest.urls if (match := _PAGE.fullmatch(address)) is not None)
     return next((each for each in named if _is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
 
@@ -192,6 +200,11 @@ def _words(manifest: Manifest) -> frozenset[str]:
     """The names of the people, word by word, and what stands before the ``@`` in their addresses."""
     words = [*" ".join(manifest.signatures).lower().split(), *(each.partition("@")[0] for each in manifest.people)]
     return frozenset(each for each in words if len(each) >= _SHORTEST_NAME)
+
+
+def _words_of_addresses(manifest: Manifest) -> frozenset[str]:
+    """What stands before the ``@``, part by part: ``ada`` of ``ada.lovelace@…``."""
+    return frozenset(word for each in manifest.people for word in _WORD.findall(each.partition("@")[0]))
 
 
 def kept_whole(home: Package, packages: Packages) -> str:
@@ -347,7 +360,7 @@ class _Workspaces:
 class _Workspace:
     """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has.
 
-    ``has_left_as_made``: at least one of them has no licence either.
+    ``words_left_as_made``: the words in the names of the people of those without a licence.
     ``has_own``: at least one is of people of whom no package is here that is known to be copied.
     """
 
@@ -367,7 +380,8 @@ class _Workspace:
             for origin in _origins(manifest):
                 self._from_origins.setdefault(origin, set()).add(number)
         self.left_as_made = sum(_is_left_as_made(manifest.people) for _, _, manifest in self._known)
-        self.has_left_as_made = any(_is_left_as_made(each.people) and not _is_filled_in(each) for _, _, each in self._known)
+        bare = (each for _, _, each in self._known if _is_left_as_made(each.people) and not _is_licensed(each))
+        self.words_left_as_made = frozenset[str]().union(*map(_words, bare))
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = _people(copied)
         self.has_own = bool(copied) and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
