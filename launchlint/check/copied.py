@@ -19,6 +19,7 @@ from launchlint.workspace.packages import Packages
 PREFIX = "project "
 NOTE = "{} is a copy of a public package, and that is where to mend it"
 NAMED = "{} is called as a public package, and says that it is from elsewhere: that is where to mend it"
+BESIDE = "{} says whose it is, and they made none of the packages here that are left as a template: that is where to mend it"
 SIGNED = "{} has a licence, of people who made none of the packages here that have none: that is where to mend it"
 KNOWN = "{} is one of the packages that people copy into their workspaces, made by others: where it is from is where to mend it"
 RENAMED = "{} is a copy of the public package {} under another name, by what its package.xml says, and that is where to mend it"
@@ -119,23 +120,25 @@ def _milder(finding: Finding, origin: _Origin) -> Finding:
 def _origin(package: Package, packages: Packages) -> _Origin:
     """Whose copy a package is."""
     from launchlint.rules.judging.projects import (
+        is_beside_own,
         is_copy,
         is_from_elsewhere,
         is_generated,
         is_released,
-        is_released_beside_own,
         is_renamed,
         is_signed,
         is_well_known,
         kept_whole,
     )
 
-    if is_copy(package, packages) or is_released_beside_own(package, packages):
+    if is_copy(package, packages):
         return _Origin(NOTE.format(package.name), package.directory, is_public=True)
     project = kept_whole(package, packages)
     if project:
         note = WHOLE.format(package.name, posixpath.basename(project))
         return _Origin(note, project, is_public=is_released(package))
+    if is_beside_own(package, packages):
+        return _Origin((NOTE if is_released(package) else BESIDE).format(package.name), package.directory, is_public=is_released(package))
     renamed = is_renamed(package, packages)
     if renamed:
         return _Origin(RENAMED.format(package.name, renamed), package.directory)
@@ -144,7 +147,7 @@ def _origin(package: Package, packages: Packages) -> _Origin:
     if is_well_known(package, packages):
         return _Origin(KNOWN.format(package.name), package.directory)
     if is_from_elsewhere(package, packages):
-        return _Origin(NAMED.format(package.name))
+        return _Origin(NAMED.format(package.name), package.directory)
     if is_signed(package, packages):
-        return _Origin(SIGNED.format(package.name))
+        return _Origin(SIGNED.format(package.name), package.directory)
     return _OWN

@@ -7,10 +7,10 @@ import posixpath
 from launchlint.late import late
 from launchlint.rules.judging.metapackages import members
 from launchlint.rules.judging.projects import (
+    is_beside_own,
     is_copy,
     is_from_elsewhere,
     is_generated,
-    is_released_beside_own,
     is_renamed,
     is_signed,
     is_well_known,
@@ -52,7 +52,9 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
     renamed = is_renamed(home, packages)
     if renamed:
         return f"{home.name} is a copy of the public package {renamed}, and that is where to declare {name}"
-    if is_copy(home, packages) or is_released_beside_own(home, packages) or is_from_elsewhere(home, packages):
+    if is_beside_own(home, packages):
+        return f"{home.name} is by people who made none of the packages here that are left as a template: it seems to be a copy"
+    if is_copy(home, packages) or is_from_elsewhere(home, packages):
         return f"{home.name} is a copy of a public package, and that is where to declare {name}"
     project = kept_whole(home, packages)
     if project:

@@ -73,17 +73,20 @@ def is_copy(home: Package, packages: Packages) -> bool:
     return is_released(home) and _is_of_others(home, packages)
 
 
-def is_released_beside_own(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is a public package that says whose it is, beside packages that are left as ``catkin_create_pkg`` made them.
+def is_beside_own(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` says whose it is, beside packages of others that are left as ``catkin_create_pkg`` made them, be it but one.
 
-    Who makes releases fills in who they are: these are of somebody else, be there but one of them. It has a list of changes, or its people
-    have nothing to do with those of the others.
+    Who makes releases, or names a repository, fills in who they are: this is of somebody else. It is called as a public package or names
+    its repository; it has a list of changes, or its people have nothing to do with those others; and no more packages here are theirs than are not.
     """
     manifest = home.manifest
-    if manifest is None or not _is_public(home.name) or not manifest.people or not _is_filled_in(manifest):
+    if manifest is None or not manifest.people or not _is_filled_in(manifest) or not (_is_public(home.name) or _origins(manifest)):
         return False
-    words = packages.once(_Workspaces).around(home.directory).words_left_as_made
-    return bool(words) and (is_released(home) or words.isdisjoint((*_words(manifest), *_words_of_addresses(manifest))))
+    workspace = packages.once(_Workspaces).around(home.directory)
+    words = workspace.words_left_as_made
+    if not words or not workspace.are_few(manifest):
+        return False
+    return is_released(home) or words.isdisjoint((*_words(manifest), *_words_of_addresses(manifest)))
 
 
 def is_renamed(home: Package, packages: Packages) -> str:
@@ -101,6 +104,11 @@ def is_renamed(home: Package, packages: Packages) -> str:
         return known
     named = (match[1] for _, address in manifest.urls if (match := _PAGE.fullmatch(address)) is not None)
     return next((each for each in named if _is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
+
+
+def is_published(home: Package) -> bool:
+    """Whether ``home`` is called as a released package, and is not as ``catkin_create_pkg`` made it: `control` and `navigation` may be."""
+    return home.name in public_names() and not (home.manifest is not None and _is_left_as_made(home.manifest.people))
 
 
 def is_generated(home: Package) -> bool:
@@ -385,6 +393,11 @@ class _Workspace:
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = _people(copied)
         self.has_own = bool(copied) and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
+
+    def are_few(self, manifest: Manifest) -> bool:
+        """Whether no more packages have the people or the repository of ``manifest`` than have not."""
+        alike = _united(self._of_people, manifest.people) | _united(self._from_origins, _origins(manifest))
+        return 2 * len(alike) <= len(self._known)
 
     def is_of_others_than(self, home: Package, manifest: Manifest) -> bool:
         """Whether most packages, as they are told apart by :func:`_is_of_others`, are of others than those of ``home``, a public one."""

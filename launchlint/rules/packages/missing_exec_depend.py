@@ -94,6 +94,7 @@ from launchlint.rules.judging.metapackages import members, why_together
 from launchlint.rules.judging.missing_package import is_placeholder
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
+from launchlint.rules.judging.projects import is_published
 from launchlint.rules.judging.stale_package import own_files_instead, own_instead
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, of_ros2
@@ -132,8 +133,6 @@ RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports
 _OF_TESTS = late(r"(?:^|[/_.-])tests?(?:[/_.-]|$)")
 _FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
 """As an expression asks for a package."""
-
-
 _NOT_IN_COLCON = ("AMENT_IGNORE", "COLCON_IGNORE")
 _RECENT = ("kinetic", "melodic", "noetic")
 """What a workspace that names no distribution is taken to be for."""
@@ -197,7 +196,7 @@ def check(view: FileView) -> Iterator[Finding]:
         line = _line(name, manifest.format, is_test=is_test)
         way = None if tested else ways.get(name)
         closes = way is not None and (way.built or is_test or ros2)
-        beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
+        beside = not tested and not is_published(home) and _is_beside(name, packages, file)
         reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages) or idle
         reason = reason or (why_together(home.name, name, packages) if way else "")
         tried = not (tested or reason) and (name == _EXERCISE or is_trial(file, home))
