@@ -22,7 +22,8 @@ program that waits for such a name counts, too. Two others of their kind meet: c
 one word (`left/image` and `right/image`). A remap makes the name that the node waits for, and of all that publish that type, made for one
 purpose, one alone has the name of its code. Everything is known that could be the publisher, and another node with that name in its code,
 which is no private one, is led by a remap to what the other one publishes. The two would meet if one of them had no remap. Or both nodes
-talk to nobody else, and nobody else speaks that type. Nothing is said of the first and the last node of a chain, of which one hears and
+talk to nobody else, and nobody else speaks that type. Nothing is said of two names that the launch file gives and that have nothing in
+common, where only copies of both programs meet; nor of the first and the last node of a chain, of which one hears and
 the other says the same type, nor of two that a remap parts where what the one says comes, by way of others, of what the other one hears,
 nor of a node that listens to several private names of which a remap leads one somewhere and leaves two or more: it may take any of them.
 

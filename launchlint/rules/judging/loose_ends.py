@@ -292,7 +292,7 @@ class LooseEnds:
             return found
         near = [each for each in everything if (how := relation(end.name, each[0].name)) == NAMESPACE or (how == SIBLING and each in loose)]
         open_ = [each for each in near or loose if each in loose and not self._has_nearer(end, each[0])]
-        mates = signed(end, open_, examples.counterparts)
+        mates = [each for each in signed(end, open_, examples.counterparts) if not _are_both_given(end, each)]
         if mates and end.role in OFFERS and any(self._is_rival(end, mates[0].ends, each) for each in self._one_sided(end, offers=True)):
             return []
         if mates:
@@ -476,6 +476,12 @@ class LooseEnds:
     def _apart(one: Instance, other: Instance) -> tuple[bool, int, str]:
         at, there = one.node.origin.place, other.node.origin.place
         return at.source is not there.source, abs(at.span.start - there.span.start), other.name
+
+
+def _are_both_given(end: Endpoint, other: Shown) -> bool:
+    """Whether params or remaps give both names, and these have nothing in common: who wrote them both has told them apart."""
+    given = all(each.applied or each.declared != each.declaration.name for each in (end, *other.ends))
+    return given and not relation(end.name, other.channel.name)
 
 
 def last_part(end: Endpoint) -> str:

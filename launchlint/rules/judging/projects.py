@@ -52,7 +52,7 @@ _EXPORTED = "todo@"
 _REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
 _NO_LICENCE = "TODO"
-"""What ``catkin_create_pkg`` writes for a licence."""
+"""How what ``catkin_create_pkg`` and ``ros2 pkg create`` (``TODO: License declaration``) write for a licence begins."""
 _ASSISTED = ".setup_assistant"
 """Beside it, the licence is what MoveIt's Setup Assistant always writes."""
 _SHORTEST_NAME = 3
@@ -202,7 +202,7 @@ class _Licences:
 
 
 def _is_licensed(manifest: Manifest) -> bool:
-    return any(each not in ("", _NO_LICENCE) for each in manifest.licences)
+    return any(each and not each.startswith(_NO_LICENCE) for each in manifest.licences)
 
 
 def _words(manifest: Manifest) -> frozenset[str]:
@@ -212,8 +212,8 @@ def _words(manifest: Manifest) -> frozenset[str]:
 
 
 def _words_of_addresses(manifest: Manifest) -> frozenset[str]:
-    """What stands before the ``@``, part by part: ``ada`` of ``ada.lovelace@…``."""
-    return frozenset(word for each in manifest.people for word in _WORD.findall(each.partition("@")[0]))
+    """Their parts: ``ada``, ``lovelace`` and ``analytical`` of ``ada.lovelace@analytical-engines.org``."""
+    return frozenset(word for each in manifest.people for word in _WORD.findall(each))
 
 
 def kept_whole(home: Package, packages: Packages) -> str:
