@@ -480,8 +480,8 @@ class LooseEnds:
 
 def _are_both_given(end: Endpoint, other: Shown) -> bool:
     """Whether params or remaps give both names, and these have nothing in common: who wrote them both has told them apart."""
-    given = all(each.applied or each.declared != each.declaration.name for each in (end, *other.ends))
-    return given and not relation(end.name, other.channel.name)
+    given = [each for each in (end, *other.ends) if each.applied or each.declared != each.declaration.name]
+    return end in given and len(given) > 1 and not relation(end.name, other.channel.name)
 
 
 def last_part(end: Endpoint) -> str:
