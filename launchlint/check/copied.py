@@ -11,8 +11,10 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Related, Severity
+from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.joined import joined
+from launchlint.workspace.looking import content
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 
@@ -26,6 +28,8 @@ RENAMED = "{} is a copy of the public package {} under another name, by what its
 GENERATED = "the setup assistant of CHAMP wrote {}, and would again"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 WITHOUT = "{} is another project, which is kept here without a package.xml, and that is where to mend it"
+_NAMES_PACKAGE = late(r"""(?:\bfind(?:-pkg-share)?[ ]+|\bpkg[ ]*=[ ]*["']|\bpackage[ ]*=[ ]*["']|share_directory\(["'])([A-Za-z][\w-]*)""")
+"""How launch files of all kinds name a package."""
 _ENDS = (".launch", ".xml", ".test", ".py", ".yaml", ".yml")
 """Of launch files, and of what they load."""
 _UNTIDY = frozenset(("LL111", "LL115", "LL206", "LL210", "LL303", "LL411", "LL504", "LL507", "LL508", "LL601", "LL623", "LL702"))
@@ -33,11 +37,15 @@ _UNTIDY = frozenset(("LL111", "LL115", "LL206", "LL210", "LL303", "LL411", "LL50
 
 
 class _Origin(NamedTuple):
-    """Whose copy a package is, in words (empty: nobody's); the directory that was copied, where that is certain; whether it is public."""
+    """Whose copy a package is, in words (empty: nobody's); the directory that was copied, where that is certain; whether it is public.
+
+    ``own``: the packages that people made here; a launch file of the copy that names one was written or changed here, too.
+    """
 
     note: str
     directory: str = ""
     is_public: bool = False
+    own: frozenset[str] = frozenset()
 
 
 _OWN = _Origin("")
@@ -53,7 +61,11 @@ def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Find
         untidy = finding.rule in _UNTIDY and finding.severity is Severity.WARNING
         if untidy or (finding.severity > Severity.INFO and finding.location.path.endswith(_ENDS)):
             origin = origins.of(finding.location.path)
-            if origin.note and (untidy or (origin.directory and origins.alone_lead_to(finding, origin))):
+            if (
+                origin.note
+                and (untidy or (origin.directory and origins.alone_lead_to(finding, origin)))
+                and not origins.adapted(finding.location.path, origin)
+            ):
                 finding = _milder(finding, origin)
         yield finding
 
@@ -64,6 +76,7 @@ class _Origins:
     def __init__(self, known: Known) -> None:
         self._known = known
         self._of: dict[str, _Origin] = {}
+        self._named: dict[str, frozenset[str]] = {}
 
     def of(self, path: str) -> _Origin:
         """Of the package of the file that is shown as ``path``."""
@@ -84,6 +97,15 @@ class _Origins:
             name = posixpath.basename(project)
             self._of[directory] = _Origin(WITHOUT.format(name), project) if project else _OWN
         return self._of[directory]
+
+    def adapted(self, path: str, origin: _Origin) -> bool:
+        """Whether the launch file that is shown as ``path`` names a package that people made here."""
+        if not origin.own:
+            return False
+        if path not in self._named:
+            text = (content(self._known.file(path)) or b"").decode("utf-8", "replace")
+            self._named[path] = frozenset(_NAMES_PACKAGE.findall(text))
+        return not origin.own.isdisjoint(self._named[path])
 
     def alone_lead_to(self, finding: Finding, origin: _Origin) -> bool:
         """Whether only launch files of the copy lead to ``finding``, or of copies that are public as it is."""
@@ -129,6 +151,7 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         is_signed,
         is_well_known,
         kept_whole,
+        left_as_made,
     )
 
     if is_copy(package, packages):
@@ -138,16 +161,18 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         note = WHOLE.format(package.name, posixpath.basename(project))
         return _Origin(note, project, is_public=is_released(package))
     if is_beside_own(package, packages):
-        return _Origin((NOTE if is_released(package) else BESIDE).format(package.name), package.directory, is_public=is_released(package))
+        released = is_released(package)
+        own = frozenset[str]() if released else left_as_made(package, packages)
+        return _Origin((NOTE if released else BESIDE).format(package.name), package.directory, released, own)
     renamed = is_renamed(package, packages)
     if renamed:
         return _Origin(RENAMED.format(package.name, renamed), package.directory)
     if is_generated(package):
         return _Origin(GENERATED.format(package.name))
     if is_well_known(package, packages):
-        return _Origin(KNOWN.format(package.name), package.directory)
+        return _Origin(KNOWN.format(package.name), package.directory, own=left_as_made(package, packages))
     if is_from_elsewhere(package, packages):
-        return _Origin(NAMED.format(package.name), package.directory)
+        return _Origin(NAMED.format(package.name), package.directory, own=left_as_made(package, packages))
     if is_signed(package, packages):
-        return _Origin(SIGNED.format(package.name), package.directory)
+        return _Origin(SIGNED.format(package.name), package.directory, own=left_as_made(package, packages))
     return _OWN

@@ -90,6 +90,11 @@ def is_beside_own(home: Package, packages: Packages) -> bool:
     return is_released(home) or words.isdisjoint((*_words(manifest), *_words_of_addresses(manifest)))
 
 
+def left_as_made(home: Package, packages: Packages) -> frozenset[str]:
+    """The packages around ``home`` that are as ``catkin_create_pkg`` made them: people made them here."""
+    return packages.once(_Workspaces).around(home.directory).left - {home.name}
+
+
 def is_renamed(home: Package, packages: Packages) -> str:
     """The public package that ``home`` is a copy of under another name, as its address in the wiki of ROS or its people say; else empty.
 
@@ -369,7 +374,7 @@ class _Workspaces:
 class _Workspace:
     """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has.
 
-    ``words_left_as_made``: the words in the names of the people of those without a licence.
+    ``left``: the names of those without a licence; ``words_left_as_made``: the words in the names of their people.
     ``has_own``: at least one is of people of whom no package is here that is known to be copied.
     """
 
@@ -389,8 +394,9 @@ class _Workspace:
             for origin in _origins(manifest):
                 self._from_origins.setdefault(origin, set()).add(number)
         self.left_as_made = sum(_is_left_as_made(manifest.people) for _, _, manifest in self._known)
-        bare = (each for _, _, each in self._known if _is_left_as_made(each.people) and not _is_licensed(each))
+        bare = [each for _, _, each in self._known if _is_left_as_made(each.people) and not _is_licensed(each)]
         self.words_left_as_made = frozenset[str]().union(*map(_words, bare))
+        self.left = frozenset(each.name for each in bare)
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = _people(copied)
         self.has_own = bool(copied) and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
