@@ -85,7 +85,7 @@ def is_beside_own(home: Package, packages: Packages) -> bool:
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
     words = workspace.words_left_as_made
-    if not words or not workspace.are_few(manifest):
+    if not words or not workspace.are_few(manifest) or _is_of_tool(home):
         return False
     return is_released(home) or words.isdisjoint((*_words(manifest), *_words_of_addresses(manifest)))
 
@@ -178,11 +178,9 @@ class _Signed:
         manifest = home.manifest
         if manifest is None or not _is_licensed(manifest) or not manifest.people or _of_template(manifest.people):
             return False
-        if any(each.startswith(_EXPORTED) for each in manifest.people):
+        if _is_of_tool(home):
             return False
         listed = names(home.directory)
-        if _ASSISTED in listed:
-            return False
         around = [licences for root, licences in self._workspaces if _is_in(home.directory, root)]
         return any((licences.of_one or _has_readme(listed)) and licences.has_others(manifest) for licences in around)
 
@@ -466,6 +464,12 @@ def _of_template(people: frozenset[str]) -> frozenset[str]:
 def _is_filled_in(manifest: Manifest) -> bool:
     """Whether somebody has said what the licence is, and who they are."""
     return _is_licensed(manifest) and not _of_template(manifest.people)
+
+
+def _is_of_tool(home: Package) -> bool:
+    """Whether the exporter of SolidWorks or MoveIt's Setup Assistant wrote the manifest, licence, addresses and all."""
+    people = frozenset[str]() if home.manifest is None else home.manifest.people
+    return any(each.startswith(_EXPORTED) for each in people) or _ASSISTED in names(home.directory)
 
 
 def _is_part(page: str, name: str) -> bool:
