@@ -172,7 +172,7 @@ def _origin(package: Package, packages: Packages) -> _Origin:
     if is_well_known(package, packages):
         return _Origin(KNOWN.format(package.name), package.directory, own=left_as_made(package, packages))
     if is_from_elsewhere(package, packages):
-        return _Origin(NAMED.format(package.name), package.directory, own=left_as_made(package, packages))
+        return _Origin(NAMED.format(package.name), own=left_as_made(package, packages))
     if is_signed(package, packages):
         return _Origin(SIGNED.format(package.name), package.directory, own=left_as_made(package, packages))
     return _OWN

@@ -133,7 +133,7 @@ def is_from_elsewhere(home: Package, packages: Packages) -> bool:
     That is: which repository it is from; or which people's, where several others have what ``catkin_create_pkg`` writes.
     """
     manifest = home.manifest
-    if manifest is None or not _is_of_others(home, packages):
+    if manifest is None or not _is_licensed(manifest) or not _is_of_others(home, packages):
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
     return bool(_origins(manifest)) or (not _of_template(manifest.people) and workspace.left_as_made >= _SOME)
