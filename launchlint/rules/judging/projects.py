@@ -53,6 +53,8 @@ _REPOSITORY = late(r"https?://([^\s/<]+/[^\s/<]+)/[^\s<]")
 """Host and owner of the repository that a manifest names (REP 140); nobody has to name one, and ``catkin_create_pkg`` proposes none."""
 _NO_LICENCE = "TODO"
 """How what ``catkin_create_pkg`` and ``ros2 pkg create`` (``TODO: License declaration``) write for a licence begins."""
+_OF_ASSISTANT = frozenset(("github.com/moveit", "github.com/ros-planning"))
+"""What MoveIt's Setup Assistant writes for the origin of all that it makes."""
 _ASSISTED = ".setup_assistant"
 """Beside it, the licence is what MoveIt's Setup Assistant always writes."""
 _SHORTEST_NAME = 3
@@ -81,7 +83,12 @@ def is_beside_own(home: Package, packages: Packages) -> bool:
     are not.
     """
     manifest = home.manifest
-    if manifest is None or not manifest.people or not _is_filled_in(manifest) or not (_is_public(home.name) or _origins(manifest)):
+    if (
+        manifest is None
+        or not manifest.people
+        or not _is_filled_in(manifest)
+        or not (_is_public(home.name) or _origins(manifest) - _OF_ASSISTANT)
+    ):
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
     words = workspace.words_left_as_made
@@ -96,18 +103,13 @@ def left_as_made(home: Package, packages: Packages) -> frozenset[str]:
 
 
 def is_renamed(home: Package, packages: Packages) -> str:
-    """The public package that ``home`` is a copy of under another name, as its address in the wiki of ROS or its people say; else empty.
+    """The public package that ``home`` is a copy of under another name, as its address in the wiki of ROS says; else empty.
 
     It is none where that package is here, too, or is a metapackage, which this may belong to.
     """
     manifest = home.manifest
     if manifest is None or _is_public(home.name):
         return ""
-    words = home.name.split("_")
-    starts = ("_".join(words[:end]) for end in range(len(words) - 1, 0, -1))
-    known = next((each for each in starts if is_copied(each, manifest.people) and not packages.has(each)), "")
-    if known:
-        return known
     named = (match[1] for _, address in manifest.urls if (match := _PAGE.fullmatch(address)) is not None)
     return next((each for each in named if _is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
 
@@ -397,7 +399,8 @@ class _Workspace:
         self.left = frozenset(each.name for each in bare)
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = _people(copied)
-        self.has_own = bool(copied) and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
+        few = 0 < 2 * len(copied) <= len(self._known)  # in a public project itself nearly all are in the list
+        self.has_own = few and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
 
     def are_few(self, manifest: Manifest) -> bool:
         """Whether no more packages have the people or the repository of ``manifest`` than have not."""
