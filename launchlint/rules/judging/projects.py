@@ -78,9 +78,7 @@ def is_copy(home: Package, packages: Packages) -> bool:
 def is_beside_own(home: Package, packages: Packages) -> bool:
     """Whether ``home`` says whose it is, beside packages of others that are left as ``catkin_create_pkg`` made them, be it but one.
 
-    Who makes releases, or names a repository, fills in who they are: this is of somebody else. It is called as a public package or names
-    its repository; it has a list of changes, or its people have nothing to do with those others; and no more packages here are theirs than
-    are not.
+    It is called as a public package or names its repository, and has a list of changes or people who have nothing to do with those others.
     """
     manifest = home.manifest
     if (
