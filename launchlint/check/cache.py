@@ -1,16 +1,19 @@
 """Results of earlier runs, used again where nothing they depend on has changed.
 
-What every result depends on (:mod:`.surroundings`) is in the name of the database. What one result depends on is checked for each: the
-content of every file that was read, the value of every environment variable, what was there wherever a rule looked around, and the sources
-of the programs that were asked for. All of that is looked at once, and before anything is computed, so that a result never says of itself
-that it was made from something newer than it was.
+What every result depends on is in the name of the database (:mod:`.surroundings`). What one result depends on is checked for each: the
+content of every file that was read, the value of every environment variable, what was there wherever something looked around, what packages
+answered, and the sources of the programs that were asked for. All of that is looked at once, and before anything is computed, so that a
+result never says of itself that it was made from something newer than it was.
+
+Most of where results look is in the workspaces, whose stamp says that nothing there has changed: then only what the stamp does not say is
+looked at, and of the rest no more is read than that it held when the workspaces had this stamp.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -20,14 +23,17 @@ from launchlint.check.file import INTERNAL_ERROR, FileResult
 from launchlint.check.in_order import ReadOnce
 from launchlint.check.options import EntryRequest
 from launchlint.check.own_code import own_code
-from launchlint.check.rows import BROKEN, Rows, dump, forget_oldest, sealed
+from launchlint.check.rows import BROKEN, SEAL, Row, Rows, dump, forget_oldest, sealed
 from launchlint.check.surroundings import Surroundings, user
 from launchlint.workspace.contents import Contents
-from launchlint.workspace.looking import PART, state
-from launchlint.workspace.states import Look, Looks, States
+from launchlint.workspace.looking import PART, QUESTION, state
+from launchlint.workspace.questions import answer
+from launchlint.workspace.states import Look, Looks, Shared, States
 from launchlint.workspace.text_parts import part_state
 
 _CONTENTS_END = ".contents.json"
+_HELD = "rows"
+_ANSWERS = "answers"
 
 
 class Cache:
@@ -46,27 +52,31 @@ class Cache:
         self._programs: dict[tuple[str, ...], str] = {}
         self._shared: dict[str, bool] = {}
         self._files: dict[str, FileResult | None] = {}
-        self._fetched: dict[str, dict[str, Any]] = {"files": {}, "shared": {}}
+        self._fetched: dict[str, dict[str, Row | None]] = {"files": {}, "shared": {}, "said": {}}
+        self._packages = checker.packages
         self._surroundings = Surroundings(checker.options, checker.packages, held, held.version)
         name = self._surroundings.name
         self._rows = Rows(directory, None if name is None else f"{name}.sqlite")
+        self._held_before = self._read_held()
+        self._answers = self._read_answers()
+        self._holding: set[str] = set()
 
     def look_up(self, requests: Sequence[EntryRequest]) -> list[EntryResult | None]:
         """For each request its result, where it is known and still true."""
         keys = [_key(request) if _is_plain(request) else "" for request in requests]
-        values = dict(self._rows.values("entries", keys))
-        self._fetch_for(values.values())
+        rows = dict(self._rows.values("entries", keys))
+        self._fetch_for(rows)
         fine_of = ReadOnce()
-        return [self._look_up(request, values.get(key), fine_of) for request, key in zip(requests, keys, strict=True)]
+        return [self._look_up(request, key, rows.get(key), fine_of) for request, key in zip(requests, keys, strict=True)]
 
-    def _look_up(self, request: EntryRequest, value: Any, fine_of: ReadOnce) -> EntryResult | None:
-        if value is None:
+    def _look_up(self, request: EntryRequest, key: str, row: Row | None, fine_of: ReadOnce) -> EntryResult | None:
+        if row is None:
             return None
         try:
-            dependencies, variables, looks, shared, programs, entry = value
+            dependencies, variables, looks, programs, entry = row.value
             if any(self._variables.get(name) != text for name, text in variables):
                 return None
-            if any(self._digest(path) != known for path, known in dependencies) or not self._holds(looks, shared):
+            if any(self._digest(path) != known for path, known in dependencies) or not self._holds("entries", key, row, *looks):
                 return None
             if any(self._program(ware, package, table, name) != known for ware, package, table, name, known in programs):
                 return None
@@ -75,12 +85,19 @@ class Cache:
         except BROKEN:
             return None
 
-    def _fetch_for(self, values: Iterable[Any]) -> None:
-        """Fetch at once what these values of entries hang on."""
-        entries = list(values)
-        self._fetch("files", _gathered(entries, lambda value: names_of(value[5])))
-        files = self._fetched["files"].values()
-        self._fetch("shared", _gathered(entries, lambda value: value[3]) | _gathered(files, lambda value: value[2]))
+    def _fetch_for(self, rows: Mapping[str, Row]) -> None:
+        """Fetch at once what these rows of entries hang on."""
+        entries = list(rows.values())
+        self._fetch("files", _gathered(entries, lambda value: names_of(value[-1])))
+        files = self._fetched["files"]
+        names = _gathered(entries, lambda value: value[2][1]) | _gathered(files.values(), lambda value: value[1][1])
+        self._fetch("shared", names.union(*(names for _, names in self._answers.values())))
+        tables = {"entries": rows, "files": files, "shared": self._fetched["shared"]}
+        self._fetch("said", [_of(table, key) for table, known in tables.items() for key, row in known.items() if self._is_to_ask(row)])
+
+    def _is_to_ask(self, row: Row | None) -> bool:
+        """Whether it has to be asked what the stamp of the workspaces says of other rows."""
+        return row is not None and row.seal not in self._held_before
 
     def _fetch(self, table: str, keys: Iterable[str]) -> None:
         fetched = self._fetched[table]
@@ -88,7 +105,7 @@ class Cache:
         found = dict(self._rows.values(table, asked))
         fetched.update((key, found.get(key)) for key in asked)
 
-    def _row(self, table: str, key: str) -> Any:
+    def _row(self, table: str, key: str) -> Row | None:
         if key not in self._fetched[table]:
             self._fetch(table, (key,))
         return self._fetched[table][key]
@@ -111,27 +128,60 @@ class Cache:
         """The result of one launch file, where it is known and still true."""
         if key not in self._files:
             self._files[key] = None
-            value = self._row("files", key)
-            if value is not None:
-                known, looks, shared, told = value
+            row = self._row("files", key)
+            if row is not None:
+                known, looks, told = row.value
                 result = file_from_json(told)
                 path = os.path.abspath(os.path.join(self._session.root, result.path))
-                if self._digest(path) == known and self._holds(looks, shared):
+                if self._digest(path) == known and self._holds("files", key, row, *looks):
                     self._files[key] = result
         return self._files[key]
 
-    def _holds(self, looks: Iterable[Look], shared: Iterable[str]) -> bool:
-        """Whether all is as it was, where one result looked around, and where it did together with others."""
-        return all(map(self._shared_holds, shared)) and all(self._states.of(path) == known for path, known in looks)
+    def _holds(self, table: str, key: str, row: Row, looks: Iterable[Look], shared: Iterable[str], answers: Iterable[Look]) -> bool:
+        """Whether all is as it was, where one result looked around, and where it did together with others, and so are all answers."""
+        if not all(map(self._shared_holds, shared)):
+            return False
+        if any(self._states.of(path) != known for several in (looks, answers) for path, known in several):
+            return False
+        if self._is_to_ask(row):
+            said = self._row("said", _of(table, key))
+            if said is None or said.value[0] != _states_digest(said.value[1], self._states):
+                return False
+        self._holding.add(row.seal)
+        return True
 
     def _shared_holds(self, name: str) -> bool:
         if name not in self._shared:
-            looks = self._row("shared", name)
-            self._shared[name] = looks is not None and self._holds(looks, ())
+            row = self._row("shared", name)
+            self._shared[name] = row is not None and self._holds("shared", name, row, row.value, (), ())
         return self._shared[name]
+
+    def _read_answers(self) -> dict[str, tuple[str, list[str]]]:
+        """The answers that were given, by question: the state of each, and the names of all shared looks that it hangs on."""
+        for _, row in self._rows.values("held", (_ANSWERS,)):
+            with suppress(*BROKEN):
+                names, answers = row.value
+                return {question: (state, [names[each] for each in numbers]) for question, (state, numbers) in answers.items()}
+        return {}
+
+    def _answer(self, question: str) -> str:
+        """The state of an answer: as it was given, where all that it hangs on is as it was; else as it is given now."""
+        known = self._answers.get(question)
+        return known[0] if known is not None and all(map(self._shared_holds, known[1])) else answer(self._packages, question)
+
+    def _read_held(self) -> frozenset[str]:
+        """The seals of the rows that held when the workspaces had this stamp."""
+        for _, row in self._rows.values("held", (_HELD,)):
+            with suppress(*BROKEN):
+                stamp, seals = row.value
+                if stamp == self._surroundings.stamp:
+                    return frozenset(seals.split())
+        return frozenset()
 
     def _state(self, path: str) -> str:
         """What there is at a path; of a part of a text it takes time to find, and is known where the text was read before."""
+        if path.startswith(QUESTION):
+            return self._answer(path)
         if PART not in path:
             known = self._surroundings.state(path)
             return state(path) if known is None else known
@@ -142,52 +192,109 @@ class Cache:
             return state(path)
 
     def store(self, results: Iterable[EntryResult]) -> None:
-        """Keep the results of this run."""
+        """Keep the results of this run, and which of the earlier ones hold."""
         if not self._rows.is_open:
             return
-        entries: dict[str, str] = {}
-        files: dict[str, str] = {}
-        shared: dict[str, str] = {}
+        new: dict[str, dict[str, str]] = {"entries": {}, "files": {}, "shared": {}, "said": {}}
 
-        def around(looks: Looks) -> tuple[list[Look], list[str]]:
-            for each in looks.shared:
-                if each.name not in shared:
-                    shared[each.name] = sealed(each.name, self._unsaid(each.looks))
-            return self._unsaid(looks.own), [each.name for each in looks.shared]
+        def put(table: str, key: str, value: Any, said: Sequence[Look]) -> None:
+            new[table][key] = sealed(key, value)
+            paths = [path for path, _ in said]
+            new["said"][_of(table, key)] = sealed(_of(table, key), [_digest_of(said), paths])
 
+        def share(shared: Iterable[Shared]) -> list[str]:
+            for each in shared:
+                if each.name not in new["shared"]:
+                    unsaid, said = self._parted(each.looks)
+                    put("shared", each.name, unsaid, said)
+            return [each.name for each in shared]
+
+        def around(looks: Looks) -> tuple[list[Any], list[Look]]:
+            for each in looks.answers:
+                if each.question not in given:
+                    given[each.question] = each.state, share(each.shared)
+            unsaid, said = self._parted(looks.own)
+            return [unsaid, share(looks.shared), [each[:2] for each in looks.answers]], said
+
+        given: dict[str, tuple[str, list[str]]] = {}
         try:
             for result in results:
                 if not _is_plain(result.request) or _has_crashed(result):
                     continue
                 digests = dict(result.dependencies)
                 for file in result.files:
-                    if file.key not in files:
+                    if file.key not in new["files"]:
                         content = digests[os.path.abspath(os.path.join(self._session.root, file.path))]
-                        files[file.key] = sealed(file.key, [content, *around(file.looks), file_to_json(file)])
-                value = [result.dependencies, result.variables, *around(result.looks), result.programs, entry_to_json(result)]
-                key = _key(result.request)
-                entries[key] = sealed(key, value)
+                        looks, said = around(file.looks)
+                        put("files", file.key, [content, looks, file_to_json(file)], said)
+                looks, said = around(result.looks)
+                value = [result.dependencies, result.variables, looks, result.programs, entry_to_json(result)]
+                put("entries", _key(result.request), value, said)
+            for packages in (self._packages, self._packages.colcon):
+                for each in self._states.answered(packages.answers()):  # asked again, or for the first time
+                    given[each.question] = each.state, share(each.shared)
         except BROKEN:
             return
+        held = {**self._now_holding(new), **self._now_answered(given)}
         gone = [name for name, holds in self._shared.items() if not holds]
-        self._rows.write({"shared": shared, "entries": entries, "files": files}, {"shared": gone})
+        self._rows.write({**new, "held": held}, {"shared": gone, "said": [_of("shared", name) for name in gone]})
 
-    def _unsaid(self, looks: Iterable[Look]) -> list[Look]:
-        """The looks of which the name of the database says nothing."""
-        return [look for look in looks if not self._surroundings.say(*look)]
+    def _now_holding(self, new: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
+        """The row that says which rows hold, where that is another one."""
+        seals = self._held_before | self._holding
+        seals |= {row[:SEAL] for table, rows in new.items() if table != "said" for row in rows.values()}
+        if seals == self._held_before:
+            return {}
+        return {_HELD: sealed(_HELD, [self._surroundings.stamp, " ".join(sorted(seals))])}
+
+    def _now_answered(self, given: Mapping[str, tuple[str, list[str]]]) -> dict[str, str]:
+        """The row of all answers, where some were ``given`` in this run."""
+        if not given:
+            return {}
+        holding = {question: known for question, known in self._answers.items() if all(self._shared.get(name, True) for name in known[1])}
+        answers = {**holding, **given}
+        numbers = {name: number for number, name in enumerate(dict.fromkeys(name for _, names in answers.values() for name in names))}
+        written = {question: [state, [numbers[name] for name in names]] for question, (state, names) in answers.items()}
+        return {_ANSWERS: sealed(_ANSWERS, [list(numbers), written])}
+
+    def _parted(self, looks: Iterable[Look]) -> tuple[list[Look], list[Look]]:
+        """The looks of which the stamp of the workspaces says nothing, and the others."""
+        unsaid: list[Look] = []
+        said: list[Look] = []
+        for look in looks:
+            (said if self._says(*look) else unsaid).append(look)
+        return unsaid, said
+
+    def _says(self, path: str, state: str) -> bool:
+        return self._states.of(path) == state if path.startswith(QUESTION) else self._surroundings.say(path, state)
 
     def close(self) -> None:
         """Close the database."""
         self._rows.close()
 
 
-def _gathered(values: Iterable[Any], names: Callable[[Any], Iterable[str]]) -> set[str]:
-    """The ``names`` that stand in ``values``, as far as these are what was written."""
+def _gathered(rows: Iterable[Row | None], names: Callable[[Any], Iterable[str]]) -> set[str]:
+    """The ``names`` that stand in the values of ``rows``, as far as these are what was written."""
     found: set[str] = set()
-    for value in values:
-        with suppress(*BROKEN):
-            found.update(names(value))
+    for row in rows:
+        if row is not None:
+            with suppress(*BROKEN):
+                found.update(names(row.value))
     return found
+
+
+def _of(table: str, key: str) -> str:
+    """The key of what the stamp of the workspaces said of a row."""
+    return f"{table} {key}"
+
+
+def _states_digest(paths: Iterable[str], states: States) -> str:
+    return _digest_of((path, states.of(path)) for path in paths)
+
+
+def _digest_of(looks: Iterable[Look]) -> str:
+    text = "\0".join(f"{path}\0{state}" for path, state in looks)
+    return hashlib.sha1(text.encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
 def _is_plain(request: EntryRequest) -> bool:

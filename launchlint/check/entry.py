@@ -31,7 +31,7 @@ from launchlint.syntax.tree import Document
 from launchlint.verdict import LOADS, Verdict
 from launchlint.workspace.looking import Looked, note, noted
 from launchlint.workspace.packages import Packages
-from launchlint.workspace.states import NOWHERE, Looks, States
+from launchlint.workspace.states import NOWHERE, Looks, States, state_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -100,7 +100,7 @@ class EntryChecker:
         self.rules: tuple[Entry, ...] = tuple(rule for rule in RULES if rule.id in options.rules)
         self.launch_rules = tuple(rule for rule in self.rules if rule.view == "launch")
         self.graph_rules = tuple(rule for rule in self.rules if rule.view == "graph")
-        self.states = States()
+        self.states = States(partial(state_of, packages=self.packages))
         self._files: dict[str, FileResult] = {}
         self._sights: list[Sight] = []
         self._earlier: Earlier | None = None

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from launchlint.atomic import seal
+from launchlint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     import sqlite3
@@ -16,9 +17,20 @@ MOST_DATABASES = 24
 """Databases that are kept, the latest used; each set of options and workspaces has one."""
 BROKEN = (ValueError, TypeError, KeyError, IndexError, AttributeError, RecursionError)
 """What reading a row that somebody else wrote may raise."""
-TABLES = ("entries", "files", "shared")
+TABLES = ("entries", "files", "shared", "said", "held")
+LARGEST_DATABASE = 2 << 30
+"""Bytes; a larger one, with results of what has long gone, is begun anew."""
+SEAL = 40
+"""Characters of a seal, with which a row begins."""
 _AT_ONCE = 500
 """Keys that are asked for in one query."""
+
+
+class Row(NamedTuple):
+    """What is in a row: its seal, which no other content has, and the value."""
+
+    seal: str
+    value: Any
 
 
 class Rows:
@@ -40,18 +52,18 @@ class Rows:
         """Whether anything can be kept."""
         return self._database is not None
 
-    def values(self, table: str, keys: Sequence[str]) -> Iterator[tuple[str, Any]]:
-        """Those of ``keys`` that ``table`` has a row of which is what was written, each with its value, in any order."""
+    def values(self, table: str, keys: Sequence[str]) -> Iterator[tuple[str, Row]]:
+        """Those of ``keys`` that ``table`` has a row of which is what was written, in any order."""
         for start in range(0, len(keys), _AT_ONCE):
             for key, text in self._texts(table, keys[start : start + _AT_ONCE]):
                 value = self._loaded(key, text)
                 if value is not None:
-                    yield key, value
+                    yield key, Row(text[:SEAL], value)
 
     def _loaded(self, key: Any, text: Any) -> Any:
         """The value in a row; None where it is not what was written."""
         try:
-            return json.loads(text[40:]) if text[:40] == seal(key, text[40:]) else None
+            return json.loads(text[SEAL:]) if text[:SEAL] == seal(key, text[SEAL:]) else None
         except self._error:
             return None
 
@@ -99,6 +111,8 @@ def _open(directory: str, name: str) -> sqlite3.Connection:
 
     os.makedirs(directory, mode=0o700, exist_ok=True)
     file = os.path.join(directory, name)
+    if os.path.exists(file) and os.path.getsize(file) > LARGEST_DATABASE:
+        os.unlink(file)
     if not os.path.exists(file):
         forget_oldest(directory, ".sqlite")
     database = sqlite3.connect(file, timeout=2)

@@ -1,7 +1,8 @@
-"""What any result may hang on beside the launch files: settings, launchlint itself, packages, and which files there are.
+"""What results may hang on beside the launch files: settings, launchlint itself, packages, and which files there are.
 
-Modification times play no part, so that the cache holds across fresh checkouts. Launch files and parameter files count by their names only:
-each result says which of them it was made from.
+All hang on the settings, and on what lies outside of the workspaces; where somebody looks inside of them, it is noted. Modification times
+play no part, so that the cache holds across fresh checkouts. Launch files and parameter files count by their names only: each result says
+which of them it was made from.
 """
 
 from __future__ import annotations
@@ -13,13 +14,16 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from launchlint.check.options import Options
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.contents import Contents
-from launchlint.workspace.looking import directory_state
+from launchlint.workspace.listing import MOST_FILES as MOST_TREE_FILES
+from launchlint.workspace.looking import ALL_BELOW, directory_state, tree_state
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
+from launchlint.workspace.place import Place
 from launchlint.workspace.repository import LONGEST_PATH
 from launchlint.workspace.source_lists import is_source_list
 
-FORMAT = 11
+FORMAT = 12
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""
@@ -29,30 +33,43 @@ CONTENT_NAMES = frozenset(("CMakeLists.txt", ".catkin"))
 CONTENT_ENDS = (".cmake", ".xml")
 ENTRY_ENDS = (".launch.xml",)
 VARIABLES = ("ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", "ROS_DISTRO", "ROS_VERSION")
+_ALL_BELOW = os.sep + ALL_BELOW
 
 
 class _TooMany(Exception):
     """There are more than :data:`MOST_FILES` files."""
 
 
+class _Inside(NamedTuple):
+    """What a directory was seen to hold: a file with its mode bits, 0 where it is none; ``mode`` is None for a directory."""
+
+    name: str
+    mode: int | None
+    is_link: bool
+
+
 class Surroundings:
-    """What was there. ``name`` is equal for equal surroundings, in hexadecimal; None where there are too many files to tell.
+    """What was there. ``name`` is equal for equal settings and equal surroundings of the workspaces, in hexadecimal; None where there are
+    too many files to tell. ``stamp`` is equal where what is in the workspaces is equal, too.
 
     ``held`` says what files hold, and is told of every file that was met; ``code`` is launchlint itself (:mod:`.own_code`).
     """
 
     def __init__(self, options: Options, packages: Packages, held: Contents, code: str) -> None:
         self._held = held
+        self._inside: dict[str, list[_Inside]] = {}
+        self._trees: dict[str, str] = {}
         self._listings: dict[str, tuple[str, ...]] = {}
         self._names: dict[str, frozenset[str]] = {}
         self._files: set[str] = set()
+        self._links: list[str] = []
         self._missing: dict[str, bool] = {}
         self._contents: dict[str, str] = {}
         self._said: dict[tuple[str, str], bool] = {}
-        self.name = self._digest(options, packages, code)
+        self.name, self.stamp = self._digests(options, packages, code)
 
     def say(self, path: str, state: str) -> bool:
-        """Whether the name already says that this is the state (:func:`launchlint.workspace.looking.state`) of an absolute path."""
+        """Whether name and stamp already say that this is the state (:func:`launchlint.workspace.looking.state`) of an absolute path."""
         key = path, state
         known = self._said.get(key)
         if known is None:
@@ -60,7 +77,9 @@ class Surroundings:
         return known
 
     def state(self, path: str) -> str | None:
-        """The state of an absolute path, where it was met: a directory, a small file, or that nothing is there; else None."""
+        """The state of an absolute path, where it was met: a directory or all below, a small file, or that nothing is there; else None."""
+        if path.endswith(_ALL_BELOW):
+            return self._tree_state(path.removesuffix(_ALL_BELOW)) or None
         if path in self._listings:
             return directory_state(self._listings[path])
         if self._is_missing(path):
@@ -69,6 +88,8 @@ class Surroundings:
         return None if digest is None else f"file {digest}"
 
     def _says(self, path: str, state: str) -> bool:
+        if path.endswith(_ALL_BELOW):
+            return bool(state) and state == self._tree_state(path.removesuffix(_ALL_BELOW))
         if not state:
             return self._is_missing(path)
         if path in self._listings:
@@ -92,33 +113,68 @@ class Surroundings:
                 return bool(directory)
             path = directory
 
-    def _digest(self, options: Options, packages: Packages, code: str) -> str | None:
-        found = hashlib.sha256(_settings(options, code).encode("utf-8", "surrogateescape"))
+    def _tree_state(self, directory: str) -> str:
+        """The state of all files below a directory; empty where links to directories, or something not met, are among them."""
+        if directory not in self._trees:
+            files = self._files_below(directory)
+            self._trees[directory] = "" if files is None else tree_state(files, complete=True)
+        return self._trees[directory]
+
+    def _files_below(self, directory: str) -> dict[str, int] | None:
+        """As :func:`launchlint.workspace.listing.files_of` lists them."""
+        files: dict[str, int] = {}
+        waiting = [""]
+        while waiting:
+            relative = waiting.pop()
+            inside = self._inside.get(f"{directory}/{relative}".rstrip("/"))
+            if inside is None or len(files) > MOST_TREE_FILES:
+                return None
+            start = f"{relative}/" if relative else ""
+            files.update((start + each.name, each.mode) for each in inside if each.mode is not None)
+            below = [each for each in inside if each.mode is None and each.name[0] != "."]
+            if any(each.is_link for each in below):
+                return None
+            waiting += [start + each.name for each in reversed(below)]
+        return files
+
+    def _digests(self, options: Options, packages: Packages, code: str) -> tuple[str | None, str]:
+        found, within = hashlib.sha256(_settings(options, code).encode("utf-8", "surrogateescape")), hashlib.sha256()
         for library in options.library:
             found.update(self._content(library).encode())
-        try:
-            for line in self._lines(packages):
-                found.update(line.encode("utf-8", "surrogateescape"))
-        except _TooMany:
-            return None
-        return found.hexdigest()[:40]
-
-    def _lines(self, packages: Packages) -> Iterator[str]:
-        """One line for each file of the workspaces, of packages elsewhere, and of what is built or installed of all packages."""
         seen: set[tuple[int, int]] = set()
         left = [MOST_FILES]
+        try:
+            for line in self._within(packages, seen, left):
+                within.update(line.encode("utf-8", "surrogateescape"))
+            for line in (*self._links, *self._outside(packages, seen, left)):
+                found.update(line.encode("utf-8", "surrogateescape"))
+        except _TooMany:
+            return None, ""
+        return found.hexdigest()[:40], within.hexdigest()[:40]
+
+    def _within(self, packages: Packages, seen: set[tuple[int, int]], left: list[int]) -> Iterator[str]:
+        """One line for each file of the workspaces, and for each package that was found in them."""
         for workspace in packages.workspaces:
             yield from self._tree(workspace, seen, left)
-        for place in packages.places:
-            for package in place.everything:
-                yield f"{package.name}\0{package.directory}\0{package.broken}\n"
-                yield from self._tree(package.directory, seen, left)
-        prefixes = [prefix.path for prefix in packages.prefixes]
+        for each in (packages, packages.colcon):
+            for place in each.places[: len(each.workspaces)]:
+                yield from _lines_of(place)
+                for package in place.everything:
+                    yield from self._tree(package.directory, seen, left)
+
+    def _outside(self, packages: Packages, seen: set[tuple[int, int]], left: list[int]) -> Iterator[str]:
+        """One line for each file of packages elsewhere, and of what is built or installed of all packages."""
+        for each in (packages, packages.colcon):
+            for place in each.places[len(each.workspaces) :]:
+                yield from _lines_of(place)
+                for package in place.everything:
+                    yield from self._tree(package.directory, seen, left)
+        prefixes = list(dict.fromkeys(prefix.path for each in (packages, packages.colcon) for prefix in each.prefixes))
         if os.path.isdir(DEBIAN_CATKIN):
             prefixes.append("/usr")
         for prefix in packages.prefixes:
             yield f"{prefix.path}\0{prefix.is_catkin}\0{prefix.is_ros}\0{prefix.sources()}\n"
-        for name in packages.names():
+        for name in sorted({*packages.names(), *packages.colcon.names()}):
             for prefix_path in prefixes:
                 for part in ("share", "lib", "libexec"):
                     yield from self._tree(os.path.join(prefix_path, part, name), seen, left)
@@ -144,24 +200,31 @@ class Surroundings:
                 raise _TooMany
             names = tuple(entry.name for entry in entries)
             self._listings[directory], self._names[directory] = names, frozenset(names)
-            yield from self._entries(entries, waiting, seen)
+            inside = self._inside[directory] = []
+            yield from self._entries(entries, waiting, seen, inside)
 
-    def _entries(self, entries: Iterable[os.DirEntry[str]], waiting: list[str], seen: set[tuple[int, int]]) -> Iterator[str]:
+    def _entries(
+        self, entries: Iterable[os.DirEntry[str]], waiting: list[str], seen: set[tuple[int, int]], inside: list[_Inside]
+    ) -> Iterator[str]:
         for entry in entries:
             name = entry.name
             target = content = ""
             try:
                 if entry.is_symlink():
                     target = os.readlink(entry.path)
+                    self._links.append(f"{entry.path}\0{target}\n")
                 status = entry.stat()
             except OSError as error:
+                inside.append(_Inside(name, 0 if isinstance(error, FileNotFoundError) else None, True))
                 yield f"{name}\0{target}\0{error.errno}\n"
                 continue
             if stat.S_ISDIR(status.st_mode):
+                inside.append(_Inside(name, None, bool(target)))
                 yield f"{name}/\0{target}\n"
                 if name[0] != "." and _is_new(status, seen):
                     waiting.append(entry.path)
             else:
+                inside.append(_Inside(name, status.st_mode if stat.S_ISREG(status.st_mode) else 0, bool(target)))
                 self._held.seen(entry.path, status)
                 self._files.add(entry.path)
                 if _counts(name):
@@ -179,6 +242,12 @@ class Surroundings:
             return hashlib.sha1(read_bytes(path, LARGEST_READ), usedforsecurity=False).hexdigest()
         except OSError as error:
             return str(error)
+
+
+def _lines_of(place: Place) -> Iterator[str]:
+    yield f"{place.root}\0{place.way.name}\n"
+    for package in place.everything:
+        yield f"{package.name}\0{package.directory}\0{package.broken}\n"
 
 
 def _settings(options: Options, code: str) -> str:

@@ -26,6 +26,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place
 from launchlint.syntax.tree import Document
+from launchlint.workspace.looking import NOTHING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -126,9 +127,9 @@ class Block:
     nearness to the entry file. ``unknown_machines`` are the machines that are defined by something unknown (empty: the name itself is).
     ``assumed_declarations``: an arg is declared under a condition of unknown value.
 
-    What it cost, so that using it again counts as doing it again: ``looked_at`` elements, ``depth`` includes inside includes, and the files
-    and environment variables it ``touched``. ``angles``: after it, YAML values may be angles. ``cycle_floor`` is the lowest place on the
-    include stack that an include cycle in it leads back to.
+    What it cost, so that using it again counts as doing it again: ``looked_at`` elements, ``depth`` includes inside includes, the files
+    and environment variables it ``touched``, and where it ``looked`` around. ``angles``: after it, YAML values may be angles.
+    ``cycle_floor`` is the lowest place on the include stack that an include cycle in it leads back to.
     """
 
     __slots__ = (
@@ -146,6 +147,7 @@ class Block:
         "effects",
         "entered",
         "leaked",
+        "looked",
         "looked_at",
         "missing",
         "near",
@@ -178,6 +180,7 @@ class Block:
         self.unknown_machines: set[str] = set()
         self.looked_at = 0
         self.depth = 0
+        self.looked = NOTHING
         self.touched: frozenset[str] = frozenset()
         self.variables: frozenset[str] = frozenset()
         self.cycle_floor = NO_CYCLE

@@ -228,10 +228,9 @@ class Session:
         return found
 
     def _named_distributions(self) -> Mapping[str, str]:
-        from launchlint.workspace.named_distributions import named_distributions
+        from launchlint.workspace.named_distributions import named_in
 
-        packages = (package.directory for place in self.packages.places for package in place.everything)
-        return named_distributions(self.packages.workspaces, packages)
+        return self.packages.answer(named_in, "")
 
     def document(self, file: str) -> Document | Read:
         """Parse ``file`` of ROS 1 once; the failed :class:`Read` where it cannot be read."""

@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterable, Mapping
 
 from launchlint.named_tuple import NamedTuple
+from launchlint.workspace.looking import QUESTION
 from launchlint.workspace.states import Look, States
 
 TYPE_CHECKING = False
@@ -40,9 +41,14 @@ def hold(looks: Iterable[Look], root: str, states: States) -> bool:
 
 
 def looks_at(paths: Iterable[str], root: str, states: States) -> tuple[Look, ...]:
-    """The looks that stand for ``paths``: for what is not there, the names in the directory that it would be in."""
+    """The looks that stand for ``paths``: for what is not there, the names in the directory that it would be in.
+
+    Which packages there are is in the name under which it is kept.
+    """
     found: set[str] = set()
     for path in paths:
+        if path.startswith(QUESTION):
+            continue
         while not path.endswith("**") and not os.path.lexists(path) and path != os.path.dirname(path):
             path = os.path.dirname(path)
         found.add(path)

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from launchlint.model import ROS1, ROS2
 from launchlint.named_tuple import NamedTuple
+from launchlint.workspace.looking import Looked, question, remembered
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 
@@ -57,7 +58,7 @@ class OwnSources:
         self.middleware = middleware
         self._others: dict[str, OwnSources] = {middleware: self}
         self._homes: dict[str, Home | None] = {}
-        self._classes: dict[str, frozenset[str]] = {}
+        self._classes: dict[str, tuple[frozenset[str], Looked]] = {}
         self._asked: set[Key] = set()
         self._states: States | None = None
 
@@ -116,7 +117,7 @@ class OwnSources:
         first = name.partition("/")[0]
         if name in self._classes_of(first):
             return [first]
-        return [package for package in self.names() if name in self._classes_of(package)] if everywhere else []
+        return list(self._packages.answer(_exporting, name)) if everywhere else []
 
     def asked(self) -> frozenset[Key]:
         """The programs of these packages that were asked for since this was called last."""
@@ -140,8 +141,10 @@ class OwnSources:
 
     def first(self, name: str) -> Home | None:
         """The package of this name in the first workspace that has one, whatever it is of; of several those of the middleware count."""
+        self._packages.copies(name)  # which notes who asks
         if name not in self._homes:
-            found = ((root, self._ours(packages[name])) for root, packages in self.places() if name in packages)
+            places = ((place.root, place.by_name) for place in self._packages.own_places)
+            found = ((root, self._ours(packages[name])) for root, packages in places if name in packages)
             self._homes[name] = next((Home(copies[0], root, len(copies)) for root, copies in found), None)
         return self._homes[name]
 
@@ -169,15 +172,23 @@ class OwnSources:
         return Programs(self, self._directory, self._states)
 
     def _classes_of(self, name: str) -> frozenset[str]:
-        if name not in self._classes:
-            home = self.home(name)
-            if home is None:
-                self._classes[name] = frozenset()
-            else:
-                from launchlint.workspace.nodelets import read_nodelet_classes
+        return remembered(self._classes, name, lambda: self._read_classes(name))
 
-                self._classes[name] = frozenset(read_nodelet_classes(home.package)[0])
-        return self._classes[name]
+    def by_class(self) -> Mapping[str, Sequence[str]]:
+        """The packages that export each nodelet class."""
+        found: dict[str, list[str]] = {}
+        for package in self.names():
+            for name in self._classes_of(package):
+                found.setdefault(name, []).append(package)
+        return found
+
+    def _read_classes(self, name: str) -> frozenset[str]:
+        home = self.home(name)
+        if home is None:
+            return frozenset()
+        from launchlint.workspace.nodelets import read_nodelet_classes
+
+        return frozenset(read_nodelet_classes(home.package)[0])
 
     def _placed(self, program: Mapping[str, Any], root: str) -> Mapping[str, Any]:
         """The program with the places of its evidence as people see them."""
@@ -188,6 +199,16 @@ class OwnSources:
             return os.path.relpath(os.path.join(root, at.removeprefix(":")), self._root).replace(os.sep, "/")
 
         return {**program, "variants": {name: _placed(variant, place) for name, variant in program.get("variants", {}).items()}}
+
+
+@question
+def _exporting(packages: Packages, name: str) -> Sequence[str]:
+    """The packages of ROS 1 that export a nodelet class."""
+    return packages.once(_by_class).get(name, ())
+
+
+def _by_class(packages: Packages) -> Mapping[str, Sequence[str]]:
+    return OwnSources(packages, "").by_class()
 
 
 def moved(path: str, start: str, goal: str) -> str:

@@ -8,6 +8,7 @@ import os
 from launchlint.knowledge.code import code_digest
 from launchlint.knowledge.entry import Key, Known, hold
 from launchlint.knowledge.store import Store
+from launchlint.workspace.looking import unnoted
 from launchlint.workspace.states import States
 
 TYPE_CHECKING = False
@@ -33,7 +34,8 @@ class Programs:
     def known(self, key: Key, home: Home) -> Known:
         """What the sources of a program of the package at ``home`` say."""
         if key not in self._known:
-            self._known[key] = self._without_reading(key, home) or self._read_once(key, home)
+            with unnoted():  # what it hangs on is in its digest
+                self._known[key] = self._without_reading(key, home) or self._read_once(key, home)
         return self._known[key]
 
     def take(self, key: Key, known: Known) -> None:
@@ -50,7 +52,8 @@ class Programs:
 
     def digest(self, key: Key, home: Home) -> str:
         """As :meth:`launchlint.knowledge.own.OwnSources.digest`."""
-        known = self._known.get(key) or self._without_reading(key, home)
+        with unnoted():
+            known = self._known.get(key) or self._without_reading(key, home)
         if known is None:
             return ""
         self._known[key] = known

@@ -15,6 +15,7 @@ from launchlint.library.program import Program, program
 from launchlint.library.shipped import SEPARATORS, Bundled
 from launchlint.library.terms import TABLES
 from launchlint.model import ROS1, ROS2
+from launchlint.workspace.looking import Looked, note, remembered
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ class Library:
         self._middleware = middleware
         self._borrowed = borrowed
         self._loadable = TABLES[middleware][1]
-        self._programs: dict[Key, Program | None] = {}
+        self._programs: dict[Key, tuple[Program | None, Looked]] = {}
         self._hangs_on: dict[Key, frozenset[Key]] = {}
 
     @cached_property
@@ -175,14 +176,19 @@ class Library:
         key = (package, table, name)
         if key not in self._programs:
             before = frozenset() if self._own is None else self._own.asked()
-            data = self._data(package, table, name, LONGEST_LIKE)
-            self._programs[key] = None if data is None else program(package, name, data)
+            remembered(self._programs, key, lambda: self._read(package, table, name))
             if self._own is not None:
                 self._hangs_on[key] = self._own.asked()
                 self._own.note(before)
         if self._own is not None:
             self._own.note(self._hangs_on[key])
-        return self._programs[key]
+        found, looked = self._programs[key]
+        note(looked)
+        return found
+
+    def _read(self, package: str, table: str, name: str) -> Program | None:
+        data = self._data(package, table, name, LONGEST_LIKE)
+        return None if data is None else program(package, name, data)
 
     def _data(self, package: str, table: str, name: str, steps: int) -> Mapping[str, Any] | None:
         found = _joined(self._said(package, table, name))

@@ -38,7 +38,7 @@ class Reach:
             self._read.setdefault(file, {})[request] = None
         for path, seen in known.looks.own:
             self._looks.setdefault(path, {})[request] = seen
-        for shared in known.looks.shared:
+        for shared in known.looks.all_shared:
             if shared not in self._sharing:
                 for path, seen in shared.looks:
                     self._looks.setdefault(path, {})[shared] = seen
@@ -54,7 +54,7 @@ class Reach:
                 self._read[file].pop(request, None)
             for path, _ in known.looks.own:
                 self._looks[path].pop(request, None)
-            for shared in known.looks.shared:
+            for shared in known.looks.all_shared:
                 self._sharing[shared].pop(request, None)
                 if not self._sharing[shared]:
                     del self._sharing[shared]

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end
-from launchlint.workspace.looking import names, read_bytes
+from launchlint.workspace.looking import is_file, names, read_bytes
 
 _MOST_EXTRAS = 20
 _MOST_COMMANDS = 500
@@ -47,7 +47,7 @@ def exported_commands(directory: str) -> Exported:
             more = [each for each in names(os.path.join(directory, "cmake")) if each.endswith(".cmake")] if ament and extras else []
             for name in [*extras, *more][:_MOST_EXTRAS]:
                 for path in (os.path.join(directory, folder, name + ending) for folder in ("cmake", "") for ending in _ENDINGS):
-                    listed = _commands(path) if os.path.isfile(path) and within(path, directory) else ()
+                    listed = _commands(path) if is_file(path) and within(path, directory) else ()
                     if listed:
                         found.update(_definitions(listed))
                         break

@@ -21,7 +21,7 @@ from launchlint.workspace.cmake_made import MAKING, RUNNING, runs_another_build
 from launchlint.workspace.cmake_scope import OF_VARIABLES, Scope, Value, together
 from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
 from launchlint.workspace.cmake_words import ASSIGNING, CATKIN_WORDS, COMPUTING, COMPUTING_FIRST, HARMLESS, HARMLESS_PREFIXES
-from launchlint.workspace.looking import read_bytes
+from launchlint.workspace.looking import is_file, read_bytes
 
 CMAKE_FILE = "CMakeLists.txt"
 
@@ -351,7 +351,7 @@ class _Reader:
             for target in self.facts.targets.values():
                 for source in target.sources:
                     made = self.generated.get(source) or self.generated.get(self.scope.built(source))
-                    if made is not None and not os.path.isfile(source):
+                    if made is not None and not is_file(source):
                         target.generated[source] = made
 
     def _target_parts(self, name: Value, words: Sequence[Value], *, sources: bool) -> None:

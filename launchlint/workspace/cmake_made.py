@@ -12,6 +12,7 @@ from itertools import pairwise
 from launchlint.late import late
 from launchlint.workspace.cmake import Command
 from launchlint.workspace.cmake_scope import Scope
+from launchlint.workspace.looking import exists
 
 MAKING = frozenset(
     """
@@ -75,13 +76,7 @@ class Made:
         if "." in name.strip(".") and len(self.names) < _MOST:
             self.names.setdefault(name, how)
         path = scope.path(word)
-        if (
-            "/" in word
-            and "*" not in word
-            and len(self.directories) < _MOST
-            and path.startswith(f"{scope.root}/")
-            and not os.path.exists(path)
-        ):
+        if "/" in word and "*" not in word and len(self.directories) < _MOST and path.startswith(f"{scope.root}/") and not exists(path):
             self.directories.setdefault(path, how)
 
 

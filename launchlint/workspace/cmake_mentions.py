@@ -6,8 +6,7 @@ import os
 import re
 
 from launchlint.workspace.cmake_comments import CMAKE_FILE
-from launchlint.workspace.listing import files_of
-from launchlint.workspace.looking import content
+from launchlint.workspace.looking import content, files_of
 
 _MOST_FILES = 300
 _LARGEST = 200_000

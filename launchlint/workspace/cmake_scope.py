@@ -11,6 +11,7 @@ from types import MappingProxyType
 from launchlint.late import late
 from launchlint.workspace.cmake import Argument
 from launchlint.workspace.cmake_conditions import constant
+from launchlint.workspace.looking import is_file
 
 Value = str | None
 """Text of an argument or variable (lists with semicolons, as in CMake); ``None`` where it cannot be known here."""
@@ -85,7 +86,7 @@ class Scope:
         if known is None:
             for name in _REFERENCE.findall(argument.text):
                 tried |= {self._value(argument.text.replace(f"${{{name}}}", way)) for way in self.ways.get(name, ())}
-        found = {path for each in tried if each and "\0" not in each and os.path.isfile(path := self.path(each))}
+        found = {path for each in tried if each and "\0" not in each and is_file(path := self.path(each))}
         return found.pop() if len(found) == 1 else None
 
     def expand(self, arguments: Sequence[Argument], *, any_way: bool = False) -> list[Value]:

@@ -25,18 +25,19 @@ SYSTEM_SHARE = "/usr/share/"
 
 
 class Way(NamedTuple):
-    """How packages are found: ``manifests`` are the files that make a directory one, ``ignoring`` those that hide it and what lies below,
-    ``ends`` the others that end the walk. ``metapackages`` are packages, too, where that is true.
+    """How packages are found, under a ``name``: ``manifests`` are the files that make a directory one, ``ignoring`` those that hide it and
+    what lies below, ``ends`` the others that end the walk. ``metapackages`` are packages, too, where that is true.
     """
 
+    name: str
     manifests: tuple[str, ...]
     ignoring: tuple[str, ...]
     ends: tuple[str, ...]
     metapackages: bool
 
 
-ROSPACK = Way((PACKAGE_FILE, MANIFEST_FILE), (CATKIN_IGNORE,), (NO_SUBDIRECTORIES,), False)
-COLCON = Way((PACKAGE_FILE,), ("COLCON_IGNORE", "AMENT_IGNORE"), (), True)
+ROSPACK = Way("rospack", (PACKAGE_FILE, MANIFEST_FILE), (CATKIN_IGNORE,), (NO_SUBDIRECTORIES,), False)
+COLCON = Way("colcon", (PACKAGE_FILE,), ("COLCON_IGNORE", "AMENT_IGNORE"), (), True)
 
 # How often one directory is entered through different symbolic links before further ones are left alone: links among a few
 # directories can otherwise spell a number of paths that is exponential in the number of directories.
@@ -141,6 +142,20 @@ def examine(directory: str, file: str, held: Contents | None = None) -> Crawled:
     except OSError as error:
         return Crawled("", directory, path, False, f"it cannot be read: {error.strerror or error}")
     return Crawled(identity.name, directory, path, identity.metapackage, identity.reason)
+
+
+def hides(root: str, directory: str, way: Way) -> bool:
+    """Whether a crawl of ``root`` meets a file that hides things in or above ``directory``; what lies beside the way is not looked at."""
+    at = root.rstrip("/")
+    if not f"{directory}/".startswith(f"{at}/"):
+        return False
+    for part in ("", *directory[len(at) :].strip("/").split("/")):
+        at = f"{at}/{part}" if part else at
+        if any(os.path.isfile(f"{at}/{name}") for name in way.ignoring):
+            return True
+        if any(os.path.isfile(f"{at}/{name}") for name in (*way.manifests, *way.ends)):
+            return False
+    return False
 
 
 def _is_directory(entry: os.DirEntry[str]) -> bool:

@@ -15,8 +15,7 @@ from launchlint.workspace.cmake_facts import CMAKE_FILE, read_cmake
 from launchlint.workspace.cmake_made import Made
 from launchlint.workspace.cmake_taking import matches, takes
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
-from launchlint.workspace.listing import files_of
-from launchlint.workspace.looking import Looked, note, start, walk, watched
+from launchlint.workspace.looking import Looked, exists, files_of, remembered, start, walk
 from launchlint.workspace.manifest import PACKAGE_FILE
 from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
 from launchlint.workspace.package import Package
@@ -205,43 +204,34 @@ class ExecutableIndex:
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
-        self._executables: dict[str, Executables] = {}
-        self._having: Mapping[str, Sequence[str]] | None = None
-        self._installs: dict[str, InstalledFiles] = {}
-        self._made: dict[str, Made] = {}
+        self._executables: dict[str, tuple[Executables, Looked]] = {}
+        self._having: dict[None, tuple[Mapping[str, Sequence[str]], Looked]] = {}
+        self._installs: dict[str, tuple[InstalledFiles, Looked]] = {}
+        self._made: dict[str, tuple[Made, Looked]] = {}
         self._walked: dict[str, tuple[Sequence[tuple[str, Sequence[str]]], Looked]] = {}
 
     def executables(self, package: Package) -> Executables:
         """What ``package`` can run."""
-        if package.directory not in self._executables:
-            self._executables[package.directory] = executables(package, self._packages.prefixes)
-        return self._executables[package.directory]
+        return remembered(self._executables, package.directory, lambda: executables(package, self._packages.prefixes))
 
     def having(self, name: str) -> Sequence[str]:
         """The packages of the workspaces, by name and sorted, that have a program called just ``name``; all are looked at."""
-        if self._having is None:
-            self._having = packages_having(self._packages, lambda package: self.executables(package).by_name)
-        return self._having.get(name, [])
+        return remembered(self._having, None, self._programs).get(name, [])
+
+    def _programs(self) -> Mapping[str, Sequence[str]]:
+        return packages_having(self._packages, lambda package: self.executables(package).by_name)
 
     def installs(self, package: Package) -> InstalledFiles:
         """What ``package`` installs."""
-        if package.directory not in self._installs:
-            self._installs[package.directory] = launch_install_directories(package)
-        return self._installs[package.directory]
+        return remembered(self._installs, package.directory, lambda: launch_install_directories(package))
 
     def made(self, package: Package) -> Made:
         """What files the build of ``package`` makes."""
-        if package.directory not in self._made:
-            self._made[package.directory] = made_files(package)
-        return self._made[package.directory]
+        return remembered(self._made, package.directory, lambda: made_files(package))
 
     def directories(self, package: Package) -> Sequence[tuple[str, Sequence[str]]]:
         """Each directory of ``package`` with the names in it, as :func:`~launchlint.workspace.looking.walk` gives them."""
-        if package.directory not in self._walked:
-            self._walked[package.directory] = watched(lambda: tuple(walk(package.directory, _MOST_DIRECTORIES)))
-        found, looked = self._walked[package.directory]
-        note(looked)
-        return found
+        return remembered(self._walked, package.directory, lambda: tuple(walk(package.directory, _MOST_DIRECTORIES)))
 
 
 def _is_program(path: str | None) -> bool:
@@ -254,7 +244,7 @@ def _is_installed(package: Package) -> bool:
     return (
         os.path.basename(parent) == "share"
         and os.path.basename(package.manifest_path) == PACKAGE_FILE
-        and not os.path.exists(os.path.join(package.directory, CMAKE_FILE))
+        and not exists(os.path.join(package.directory, CMAKE_FILE))
     )
 
 

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from launchlint.named_tuple import NamedTuple
-from launchlint.workspace.looking import content
+from launchlint.workspace.looking import content, note_question
 from launchlint.workspace.repository import repository_root
 
 TYPE_CHECKING = False
@@ -65,6 +65,7 @@ def ignored_by(path: str, workspaces: Sequence[str] = ()) -> Ignore | None:
 
     A copy without ``.git`` is taken to begin where the outermost of ``workspaces`` (absolute) does that the file lies in.
     """
+    note_question("rospack", "repository", os.path.dirname(path))
     root = repository_root(os.path.dirname(path))
     if not os.path.exists(os.path.join(root, ".git")):
         root = min((each for each in workspaces if f"{root}/".startswith(f"{each.rstrip('/')}/")), key=len, default=root)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 from _thread import _local
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
 from launchlint.named_tuple import NamedTuple
@@ -25,10 +25,15 @@ _PYTHON_ENVIRONMENT = "pyvenv.cfg"
 PART = "//"
 """Between a file and the part of its text that matters (:func:`launchlint.workspace.texts.parts`): it stands in no absolute path."""
 
+QUESTION = "?"
+"""Before what packages were asked (:mod:`launchlint.workspace.questions`): no absolute path begins with it."""
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import TypeVar
+    from typing import Any, TypeVar
 
+    Asked = TypeVar("Asked", bound=Callable[[Any, str], Any])
+    K = TypeVar("K")
     T = TypeVar("T")
 
 
@@ -41,17 +46,47 @@ class Looked(NamedTuple):
 
     paths: frozenset[str]
     wholes: tuple[frozenset[str], ...] = ()
+    answers: tuple[Answer, ...] = ()
 
     def all(self) -> Iterator[str]:
-        """Each path, some perhaps several times."""
-        for several in (self.paths, *self.wholes):
+        """Each path, some perhaps several times; with those that answers hang on."""
+        for several in self.sets():
             yield from several
+
+    def sets(self) -> Iterator[frozenset[str]]:
+        """The paths in sets, of which those that answers hang on are the same for all who were answered."""
+        yield from (self.paths, *self.wholes)
+        for answer in self.answers:
+            yield from answer.looked.sets()
+
+
+class Answer(NamedTuple):
+    """What hangs on an answer alone, what was ``found``, and not on all that was looked at for it.
+
+    While all is as it was where somebody ``looked``, so is the answer; else the question can be asked again.
+    """
+
+    question: str
+    found: object
+    looked: Looked
+
+    @property
+    def state(self) -> str:
+        """Equal for equal answers."""
+        from hashlib import sha1
+
+        return sha1(_told(self.found).encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
+
+
+NOTHING = Looked(frozenset())
+"""Nowhere."""
 
 
 class _Account:
-    """What one piece of work looked at; ``wholes`` by identity."""
+    """What one piece of work looked at; ``wholes`` by identity, ``answers`` by question."""
 
     def __init__(self) -> None:
+        self.answers: dict[str, Answer] = {}
         self.paths: set[str] = set()
         self.wholes: dict[int, frozenset[str]] = {}
 
@@ -63,6 +98,7 @@ class _Account:
         """Add all that was looked at."""
         if isinstance(looked, Looked):
             self.update(looked.paths)
+            self.answered(looked.answers)
             for whole in looked.wholes:
                 self.wholes[id(whole)] = whole
         elif isinstance(looked, frozenset) and len(looked) >= _MANY:
@@ -72,7 +108,11 @@ class _Account:
 
     def looked(self) -> Looked:
         """All of it."""
-        return Looked(frozenset(self.paths), tuple(self.wholes.values()))
+        return Looked(frozenset(self.paths), tuple(self.wholes.values()), tuple(self.answers.values()))
+
+    def answered(self, answers: Iterable[Answer]) -> None:
+        """Add answers."""
+        self.answers.update((each.question, each) for each in answers)
 
 
 class _OfThread(_local):
@@ -178,6 +218,14 @@ def note_tree(directory: str) -> None:
     _account.noted[-1].add(os.path.join(os.path.abspath(directory), ALL_BELOW))
 
 
+def files_of(directory: str) -> tuple[dict[str, int], bool]:
+    """As :func:`launchlint.workspace.listing.files_of`."""
+    from launchlint.workspace import listing
+
+    note_tree(directory)
+    return listing.files_of(directory)
+
+
 def noted() -> Looked:
     """What was looked at since this was called last."""
     taken = _account.noted[-1].looked()
@@ -196,6 +244,46 @@ def watched(work: Callable[[], T]) -> tuple[T, Looked]:
     return result, looked
 
 
+def remembered(known: dict[K, tuple[T, Looked]], key: K, work: Callable[[], T]) -> T:
+    """What ``work`` gives, done once for each key; whoever asks has looked at what it looked at."""
+    if key not in known:
+        known[key] = watched(work)
+    else:
+        note(known[key][1])
+    return known[key][0]
+
+
+def question(function: Asked) -> Asked:
+    """Mark a function of a module that :meth:`Packages.answer` may be given: only such are asked again for what a cache holds."""
+    function.is_question = True  # type: ignore[attr-defined]
+    return function
+
+
+def answered(known: dict[str, tuple[T, Answer]], question: str, work: Callable[[], T]) -> T:
+    """What ``work`` gives, done once for each question: whoever asks hangs on the answer alone, which is made of texts and numbers."""
+    if question not in known:
+        _account.noted.append(_Account())
+        try:
+            found = work()
+        finally:
+            looked = _account.noted.pop().looked()
+        known[question] = found, Answer(question, found, looked)
+    found, answer = known[question]
+    _account.noted[-1].answered((answer,))
+    return found
+
+
+def _told(found: object) -> str:
+    """Equal for equal answers, in whatever order a set gives its members."""
+    if isinstance(found, (set, frozenset)):
+        return f"{{{', '.join(sorted(map(_told, found)))}}}"
+    if isinstance(found, Mapping):
+        return f"{{{', '.join(f'{_told(key)}: {_told(value)}' for key, value in found.items())}}}"
+    if isinstance(found, (tuple, list)):
+        return f"({', '.join(map(_told, found))})"
+    return repr(found)
+
+
 class _Deaf(_Account):
     """An account in which nothing is noted."""
 
@@ -203,6 +291,9 @@ class _Deaf(_Account):
         """Nothing."""
 
     def update(self, _: Looked | Iterable[str]) -> None:
+        """Nothing."""
+
+    def answered(self, _: Iterable[Answer]) -> None:
         """Nothing."""
 
 
@@ -221,6 +312,11 @@ def note(looked: Looked | Iterable[str]) -> None:
     _account.noted[-1].update(looked)
 
 
+def note_question(way: str, kind: str, about: str = "") -> None:
+    """Note what packages that are found in this ``way`` were asked."""
+    _account.noted[-1].add(f"{QUESTION}{way} {kind} {about}")
+
+
 def state(path: str) -> str:
     """Equal for equal answers of all functions here: what is at ``path``, the content of a small file, or the names in a directory."""
     from hashlib import sha1
@@ -234,7 +330,7 @@ def state(path: str) -> str:
 
             return part_state(_read(file), part)
         if path.endswith(os.sep + ALL_BELOW):
-            return f"tree {sha1(_tree(path[: -len(ALL_BELOW)]), usedforsecurity=False).hexdigest()}"
+            return _tree(path[: -len(ALL_BELOW)])
         if os.path.isdir(path):
             return directory_state(os.listdir(path))
         if not os.path.exists(path):
@@ -273,11 +369,19 @@ def _read(file: str) -> bytes:
         return b""
 
 
-def _tree(directory: str) -> bytes:
+def tree_state(files: Mapping[str, int], *, complete: bool) -> str:
+    """The :func:`state` of all below a directory in which there are these files, as :func:`launchlint.workspace.listing.files_of` tells."""
+    from hashlib import sha1
+
+    text = "\0".join([f"{name} {mode & 0o111}" for name, mode in files.items()] + [str(complete)])
+    return f"tree {sha1(text.encode('utf-8', 'surrogateescape'), usedforsecurity=False).hexdigest()}"
+
+
+def _tree(directory: str) -> str:
     from launchlint.workspace.listing import files_of
 
     files, complete = files_of(directory)
-    return "\0".join([f"{name} {mode & 0o111}" for name, mode in files.items()] + [str(complete)]).encode("utf-8", "surrogateescape")
+    return tree_state(files, complete=complete)
 
 
 def _note(path: str) -> str:

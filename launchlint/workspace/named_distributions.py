@@ -10,9 +10,13 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from launchlint.workspace.looking import names, note
+from launchlint.workspace.looking import names, note, question
 from launchlint.workspace.source_lists import is_source_list
 from launchlint.workspace.texts import parts
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.packages import Packages
 
 _MOST_FILES = 120
 _MOST_PACKAGES = 60
@@ -33,6 +37,12 @@ def named_distributions(roots: Iterable[str], packages: Iterable[str]) -> Mappin
     return found or _read(
         (directory, [name for name in names(directory) if _at_top(name)]) for directory in list(packages)[:_MOST_PACKAGES]
     )
+
+
+@question
+def named_in(packages: Packages, _: str) -> Mapping[str, str]:
+    """The same of what is checked, and of the packages that can be seen from there."""
+    return named_distributions(packages.workspaces, [each.directory for place in packages.places for each in place.everything])
 
 
 def _read(places: Iterable[tuple[str, Sequence[str]]]) -> dict[str, str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterable
 
-from launchlint.workspace.looking import Looked, content, is_file, names, note, watched
+from launchlint.workspace.looking import content, is_file, names, question
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -53,9 +53,7 @@ def _unported(file: str, packages: Packages) -> Package | None:
     package = packages.package_of(file)
     if package is None or not _is_of_catkin(package):
         return None
-    is_ros2, looked = packages.once(_workspace_is_ros2)
-    note(looked)
-    return package if is_ros2 else None
+    return package if packages.answer(is_ros2, "") else None
 
 
 def _is_of_catkin(package: Package) -> bool:
@@ -63,11 +61,8 @@ def _is_of_catkin(package: Package) -> bool:
     return manifest is not None and manifest.is_catkin and not manifest.is_ament
 
 
-def _workspace_is_ros2(packages: Packages) -> tuple[bool, Looked]:
-    return watched(lambda: _is_ros2(packages))
-
-
-def _is_ros2(packages: Packages) -> bool:
+@question
+def is_ros2(packages: Packages, _: str) -> bool:
     """Whether the workspaces are of ROS 2: ament builds at least as many packages as half of those that catkin does, nothing names a
     distribution of ROS 1, and something names one of ROS 2, or colcon has built here.
     """

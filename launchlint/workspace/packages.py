@@ -12,7 +12,8 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
-from launchlint.workspace.crawl import COLCON, ROSPACK, Way, examine
+from launchlint.workspace.crawl import COLCON, ROSPACK, Way, examine, hides
+from launchlint.workspace.looking import QUESTION, Answer, Looked, answered, note, note_question, unnoted, watched
 from launchlint.workspace.package import Kind, Package
 from launchlint.workspace.place import Hidden, Place
 from launchlint.workspace.prefixes import Prefix, ament_prefixes, prefixes
@@ -26,12 +27,10 @@ if TYPE_CHECKING:
     from launchlint.workspace.arg_uses import ArgUses
     from launchlint.workspace.contents import Contents
     from launchlint.workspace.distributions import Distributions
-    from launchlint.workspace.environment_hooks import Hooks
-    from launchlint.workspace.mentions import Mentions
     from launchlint.workspace.releases import Needs
     from launchlint.workspace.variables import Readers
 
-    class Looked(Protocol):
+    class Surveyed(Protocol):
         """What was seen, with all that was looked at for it."""
 
         @property
@@ -39,7 +38,7 @@ if TYPE_CHECKING:
             """Paths (absolute)."""
 
     Made = TypeVar("Made")
-    Seen = TypeVar("Seen", bound=Looked)
+    Seen = TypeVar("Seen", bound=Surveyed)
 
 SYSTEM_SHARE = "/usr/share"
 DEBIAN_CATKIN = "/usr/lib/python3/dist-packages/catkin"
@@ -77,16 +76,15 @@ class Packages:
         self._places: list[Place] | None = None
         self._prefixes: list[Prefix] | None = None
         self._made: dict[Callable[..., Any], Any] = {}
-        self._read_for: dict[Callable[..., Any], frozenset[str]] = {}
+        self._read_for: dict[Callable[..., Any], Looked] = {}
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
         self._sources: dict[str, Place] = {}
         self._resolved: dict[tuple[str, str], str] = {}
         self._duplicates: dict[str, list[Package]] | None = None
         self._hidden: dict[str, Hidden] | None = None
-        self._hooks: Hooks | None = None
-        self._listed: Mapping[str, str] | None = None
         self._needs: dict[str, Needs] = {}
+        self._answers: dict[str, tuple[Any, Answer]] = {}
 
     @property
     def colcon(self) -> Packages:
@@ -102,22 +100,32 @@ class Packages:
     def once(self, make: Callable[[Packages], Made]) -> Made:
         """What ``make`` (a class or a function of a module) makes of these packages, made once and kept with them.
 
-        Whoever asks hangs on the manifests that were read for it.
+        Whoever asks hangs on all that was looked at for it.
         """
-        from launchlint.workspace.looking import note, watched
-
         if make not in self._made:
-            self._made[make], looked = watched(lambda: make(self))
-            self._read_for[make] = frozenset(path for path in looked.all() if path.endswith(ROSPACK.manifests))
-        if self._read_for[make]:
+            self._made[make], self._read_for[make] = watched(lambda: make(self))
+        else:
             note(self._read_for[make])
         made: Made = self._made[make]
         return made
 
-    def _survey(self, read: Callable[[Sequence[str]], Seen]) -> Seen:
-        """What ``read`` sees in the workspaces, read once; whoever asks hangs on all that it looked at."""
-        from launchlint.workspace.looking import note
+    def answer(self, question: Callable[[Packages, str], Made], about: str) -> Made:
+        """The answer to a question (:func:`launchlint.workspace.questions.question`), found once; whoever asks hangs on that alone."""
+        name = f"{QUESTION}{self.way.name} {question.__module__}:{question.__name__} {about}"
+        made: Made = answered(self._answers, name, lambda: question(self, about))
+        return made
 
+    def answer_state(self, question: Callable[[Packages, str], Any], about: str) -> str:
+        """The state of that answer."""
+        self.answer(question, about)
+        return self._answers[f"{QUESTION}{self.way.name} {question.__module__}:{question.__name__} {about}"][1].state
+
+    def answers(self) -> list[Answer]:
+        """All answers that were given."""
+        return [known for _, known in self._answers.values()]
+
+    def survey(self, read: Callable[[Sequence[str]], Seen]) -> Seen:
+        """What ``read`` sees in the workspaces, read once; whoever asks hangs on all that it looked at."""
         if read not in self._made:
             self._made[read] = read(self.workspaces)
         seen: Seen = self._made[read]
@@ -132,6 +140,10 @@ class Packages:
         from launchlint.workspace.texts import parts_of
 
         directories = {os.path.dirname(file) for file in files} if listed else frozenset()
+        changed = {*files, *directories, *(part for file in files for part in parts_of(file))}
+        self._answers = {
+            name: known for name, known in self._answers.items() if all(map(changed.isdisjoint, known[1].looked.sets()))
+        }  # fmt: skip
         for read, seen in list(self._made.items()):
             if isinstance(seen, Packages):
                 seen.texts_changed(files, listed=listed)
@@ -151,10 +163,16 @@ class Packages:
         """
         if not name:
             return None
+        note_question(self.way.name, "get", name)
         key = (name, near)
         if key not in self._found:
             self._found[key] = self._search(name, near)
         return self._found[key]
+
+    def copies(self, name: str) -> Sequence[Package]:
+        """The packages of this name in the first place that has any, in the order of the crawl."""
+        note_question(self.way.name, "get", name)
+        return next((copies for place in self._searched if (copies := place.by_name.get(name))), ())
 
     def find(self, name: str, near: str) -> str | None:
         """The directory of package ``name``, as ``$(find name)`` answers it (rospkg.RosPack.get_path)."""
@@ -162,7 +180,7 @@ class Packages:
 
     def has(self, name: str) -> bool:
         """Whether any place has a package of this name."""
-        return any(name in place.by_name for place in self.places)
+        return bool(self.copies(name))
 
     def package_of(self, path: str) -> Package | None:
         """The package (or metapackage, or broken package) that the file or directory ``path`` lies in.
@@ -173,6 +191,7 @@ class Packages:
         directory = path if os.path.isdir(path) else os.path.dirname(path)
         if len(directory) > LONGEST_PATH:
             directory = directory[: directory.rfind(os.sep, 0, LONGEST_PATH)] or os.sep
+        note_question(self.way.name, "of", directory)
         walked: list[str] = []
         while directory not in self._of_directory:
             walked.append(directory)
@@ -188,6 +207,11 @@ class Packages:
             self._of_directory[each] = answer
         return answer
 
+    def with_manifest(self, path: str) -> Package | None:
+        """The package of which ``path`` (absolute) is the manifest, wherever it lies: a question can be about it."""
+        found = self.once(_by_manifest).get(path) or self.package_of(os.path.dirname(path))
+        return found if found is not None and found.manifest_path == path else None
+
     def described_by(self, file: str) -> Kind | None:
         """What the package is of which ``file`` (absolute) is the manifest; ``None`` where it is none that counts."""
         package = self.package_of(os.path.dirname(file))
@@ -195,7 +219,8 @@ class Packages:
 
     def names(self) -> list[str]:
         """Names of all packages, sorted."""
-        return sorted({name for place in self.places for name in place.by_name})
+        note_question(self.way.name, "names")
+        return sorted({name for place in self._searched for name in place.by_name})
 
     def hidden(self, name: str) -> Hidden | None:
         """The package ``name`` that a workspace holds and a ``CATKIN_IGNORE`` hides from catkin and rospack; ``None`` where there is none.
@@ -203,84 +228,82 @@ class Packages:
         COLCON_IGNORE and AMENT_IGNORE hide nothing from rospack (rospkg.rospack.list_by_path): such a package is simply there. From
         colcon it is those that hide packages.
         """
+        note_question(self.way.name, "hidden", name)
         return None if self.has(name) else self._all_hidden().get(name)
 
     def is_hidden(self, directory: str) -> bool:
         """Whether ``directory`` (absolute) is or lies in one that a ``CATKIN_IGNORE`` hides; below a package nobody looks for one."""
-        return any(
-            _is_hidden(directory, workspace.rstrip("/"), self.way) for workspace in self.workspaces if _is_below(directory, workspace)
-        )
+        note_question(self.way.name, "is-hidden", directory)
+        return any(hides(workspace, directory, self.way) for workspace in self.workspaces)
 
     def _all_hidden(self) -> dict[str, Hidden]:
         if self._hidden is None:
             self._hidden = {}
-            for place in self.places[: len(self.workspaces)]:
+            for place in self.own_places:
                 for each in place.hidden():
                     self._hidden.setdefault(each.name, each)
         return self._hidden
 
     def hook_variables(self) -> Mapping[str, str]:
         """The environment variables that env-hooks of the workspaces' packages set, each with the file (absolute) that does."""
-        from launchlint.workspace.environment_hooks import read_hooks
-        from launchlint.workspace.looking import note
+        from launchlint.workspace.surveys import hook_variables
 
-        if self._hooks is None:
-            self._hooks = read_hooks(each for place in self.places[: len(self.workspaces)] for each in place.everything)
-        note(self._hooks.looked)
-        return self._hooks.variables
+        return self.answer(hook_variables, "")
 
     def listed_in(self, name: str) -> str | None:
         """The list of sources (absolute: .gitmodules, *.rosinstall, *.repos) that names a repository called ``name`` which is not here.
 
         A repository is here where a package lies in a directory of its name: then its packages are those, and no others.
         """
-        from launchlint.spelling import folded
-        from launchlint.workspace.source_lists import read_source_lists
+        from launchlint.workspace.surveys import listed_in
 
-        if self._listed is None:
-            here = {
-                folded(part)
-                for place in self.places[: len(self.workspaces)]
-                for package in place.everything
-                for part in package.directory.removeprefix(place.root).split(os.sep)
-            }
-            listed = read_source_lists(self.workspaces)
-            self._listed = {each: file for each, file in listed.items() if each not in here}
-        return self._listed.get(folded(name))
+        return self.answer(listed_in, name)
 
-    def own_variables(self) -> Mapping[str, str]:
-        """The environment variables that files of the workspaces but launch files set or read, each with one (absolute) that does."""
-        from launchlint.workspace.variables import read_variables
+    def variable_in(self, name: str) -> str | None:
+        """A file (absolute) of the workspaces, no launch file, that sets or reads the variable; ``None`` where there is none."""
+        from launchlint.workspace.surveys import variable_in
 
-        return self._survey(read_variables).known
+        return self.answer(variable_in, name)
 
     def documented_in(self, name: str) -> str | None:
         """A README or another document of the workspaces (absolute) that names package ``name``, or a script, a workflow or an image that
         fetches something of that name; ``None`` where there is none.
         """
-        named = self.documents().known.get(name)
-        fetched = self.distributions().fetched.get(name)
-        return fetched if named is None else named
+        from launchlint.workspace.surveys import documented_in
 
-    def documents(self) -> Mentions:
-        """What the READMEs and other documents of the workspaces name."""
-        from launchlint.workspace.mentions import read_documents
+        return self.answer(documented_in, name)
 
-        return self._survey(read_documents)
+    def told_to_install(self) -> tuple[str, ...]:
+        """The lines of the documents of the workspaces in which people are told to install something."""
+        from launchlint.workspace.surveys import told_to_install
+
+        return self.answer(told_to_install, "")
+
+    def map_saved_in(self, name: str) -> str | None:
+        """A document that tells people to save a map under that name, without path and end; ``None`` where there is none."""
+        from launchlint.workspace.surveys import map_saved_in
+
+        return self.answer(map_saved_in, name)
 
     def distributions(self) -> Distributions:
         """What the workspaces say of ROS distributions and of installing (in a README, a workflow, an image, a script …)."""
-        return self._survey(self._read_distributions)
+        from launchlint.workspace.surveys import distributions
+
+        return self.answer(distributions, "")
+
+    def survey_distributions(self) -> Distributions:
+        """The same, with all that was looked at."""
+        note_question(self.way.name, "all")
+        return self.survey(self._read_distributions)
 
     def _read_distributions(self, workspaces: Sequence[str]) -> Distributions:
         from launchlint.workspace.distributions import read_distributions
 
-        own = (each.directory for place in self.places[: len(self.workspaces)] for each in place.everything)
+        own = (each.directory for place in self.own_places for each in place.everything)
         return read_distributions(workspaces, own)
 
     def needs(self, package: Package) -> frozenset[str]:
         """The packages that ``package`` declares to run, and those that its launch files name."""
-        from launchlint.workspace.looking import note
         from launchlint.workspace.releases import read_needs
 
         if package.directory not in self._needs:
@@ -290,7 +313,7 @@ class Packages:
 
     def arg_uses(self) -> ArgUses:
         """Where files of the workspaces give args to launch files by name."""
-        return self._survey(self._read_arg_uses)
+        return self.survey(self._read_arg_uses)
 
     def _read_arg_uses(self, workspaces: Sequence[str]) -> ArgUses:
         from launchlint.workspace.arg_uses import read_arg_uses
@@ -301,25 +324,25 @@ class Packages:
         """Which environment variables launch files of the workspaces read."""
         from launchlint.workspace.variables import read_in_launch_files
 
-        return self._survey(read_in_launch_files)
+        return self.survey(read_in_launch_files)
 
     def machine_defined_in(self, name: str) -> str | None:
         """A launch file of the workspaces (absolute) that defines machine ``name``; ``None`` where there is none."""
-        from launchlint.workspace.machines import read_machines
+        from launchlint.workspace.surveys import machine_defined_in
 
-        return self._survey(read_machines).known.get(name)
+        return self.answer(machine_defined_in, name)
 
     def launch_files(self, name: str) -> tuple[str, ...]:
         """The launch files (absolute) of the workspaces that are called ``name``, whatever directory they lie in."""
-        from launchlint.workspace.launch_files import read_launch_files
+        from launchlint.workspace.surveys import launch_files
 
-        return self._survey(read_launch_files).known.get(name, ())
+        return self.answer(launch_files, name)
 
     def container_users(self) -> frozenset[str]:
         """The users whose home directories the containers of the workspaces have."""
-        from launchlint.workspace.container_homes import read_homes
+        from launchlint.workspace.surveys import container_users
 
-        return self._survey(read_homes).users
+        return self.answer(container_users, "")
 
     def container_directories(self) -> frozenset[str]:
         """The directories right below the root (``/ws``) that the containers of the workspaces have, and other machines have not."""
@@ -332,13 +355,14 @@ class Packages:
 
         A directory that is reached twice through symbolic links counts once.
         """
+        note_question(self.way.name, "duplicates")
         if self._duplicates is None:
             self._duplicates = self._find_duplicates()
         return self._duplicates
 
     def _find_duplicates(self) -> dict[str, list[Package]]:
         found: dict[str, list[Package]] = {}
-        for place in self.places[: len(self.workspaces)]:
+        for place in self.own_places:
             for name, packages in place.by_name.items():
                 if len(packages) > 1 and name not in found:
                     distinct = list({os.path.realpath(each.directory): each for each in reversed(packages)}.values())
@@ -368,7 +392,17 @@ class Packages:
 
     @property
     def places(self) -> list[Place]:
-        """The directory trees that are searched, in this order."""
+        """The directory trees that are searched, in this order. Whoever asks hangs on which packages there are in all of them."""
+        note_question(self.way.name, "all")
+        return self._searched
+
+    @property
+    def own_places(self) -> list[Place]:
+        """Those of the workspaces; whoever asks notes what of them it hangs on."""
+        return self._searched[: len(self.workspaces)]
+
+    @property
+    def _searched(self) -> list[Place]:
         if self._places is None:
             roots = list(self.workspaces)
             if self.way is not COLCON:
@@ -399,8 +433,10 @@ class Packages:
             CMAKE_PREFIX_PATH, else ``directory`` joined with ``path``.
         """
         key = (directory, path)
+        note_question(self.way.name, "resource", "\0".join(key))
         if key not in self._resolved:
-            self._resolved[key] = self._resolve_resource(directory, path)
+            with unnoted():
+                self._resolved[key] = self._resolve_resource(directory, path)
         return self._resolved[key]
 
     def _resolve_resource(self, directory: str, path: str) -> str:
@@ -440,20 +476,17 @@ class Packages:
                 yield package.directory
 
     def _place(self, root: str) -> Place:
-        for place in self.places:
+        for place in self._searched:
             if place.root == root:
                 return place
         return self._sources.setdefault(root, Place(root, self.way, self.held))
 
     def _search(self, name: str, near: str) -> Package | None:
-        for place in self.places:
-            copies = place.by_name.get(name)
-            if copies:
-                if len(copies) == 1:
-                    return copies[0]
-                path = os.path.abspath(near)
-                return max(copies, key=lambda copy: len(os.path.commonpath((copy.directory, path))))
-        return None
+        copies = self.copies(name)
+        if len(copies) < 2:
+            return copies[0] if copies else None
+        path = os.path.abspath(near)
+        return max(copies, key=lambda copy: len(os.path.commonpath((copy.directory, path))))
 
 
 def is_executable(path: str) -> bool:
@@ -461,21 +494,8 @@ def is_executable(path: str) -> bool:
     return os.path.isfile(path) and os.access(path, os.X_OK)
 
 
-def _is_below(directory: str, workspace: str) -> bool:
-    """Whether ``directory`` is ``workspace`` or lies in it; both are absolute."""
-    return f"{directory}/".startswith(f"{workspace.rstrip('/')}/")
-
-
-def _is_hidden(directory: str, workspace: str, way: Way) -> bool:
-    """As :func:`launchlint.workspace.crawl.crawl_all` would find it, without looking at what lies beside the way."""
-    at = workspace
-    for part in ("", *directory[len(workspace) :].strip("/").split("/")):
-        at = f"{at}/{part}" if part else at
-        if any(os.path.isfile(f"{at}/{name}") for name in way.ignoring):
-            return True
-        if any(os.path.isfile(f"{at}/{name}") for name in (*way.manifests, *way.ends)):
-            return False
-    return False
+def _by_manifest(packages: Packages) -> dict[str, Package]:
+    return {each.manifest_path: each for place in packages.places for each in place.everything}
 
 
 def _as_colcon(packages: Packages) -> Packages:

@@ -8,6 +8,8 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 
+from launchlint.workspace.looking import is_file
+
 MARKER = ".catkin"
 _LARGEST_MARKER = 1 << 16
 _BUILT_BY = ("CMakeLists.txt", "setup.py", "Makefile")
@@ -83,4 +85,4 @@ def is_installed(package: str) -> bool:
     """Whether the package in this directory is an installed one: it lies in ``PREFIX/share``, without what would build it."""
     if os.path.basename(os.path.dirname(package)) != "share":
         return False
-    return not any(os.path.isfile(os.path.join(package, name)) for name in _BUILT_BY)
+    return not any(is_file(os.path.join(package, name)) for name in _BUILT_BY)

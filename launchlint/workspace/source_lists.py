@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 from launchlint.late import late
 from launchlint.spelling import folded
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace.looking import note, read_bytes
 
 GITMODULES = ".gitmodules"
 
@@ -56,6 +56,7 @@ def _lists(roots: Iterable[str]) -> list[str]:
     left = _MOST_DIRECTORIES
     for root in roots:
         for directory, below, files in os.walk(root):
+            note((directory,))
             below[:] = sorted(name for name in below if not name.startswith("."))
             found.update((os.path.join(directory, name), None) for name in sorted(files) if is_source_list(name))
             left -= 1

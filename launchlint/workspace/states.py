@@ -7,15 +7,19 @@ and compared once for all of them.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator
 from functools import cached_property
 
 from launchlint.named_tuple import NamedTuple
-from launchlint.workspace.looking import ALL_BELOW, PART, Looked, content_state, state
+from launchlint.workspace.looking import ALL_BELOW, PART, QUESTION, Answer, Looked, content_state, state
 from launchlint.workspace.texts import parts_of
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.packages import Packages
+
 Look = tuple[str, str]
-"""A path (absolute) and its state (:func:`launchlint.workspace.looking.state`)."""
+"""A path (absolute) and its state (:func:`launchlint.workspace.looking.state`), or a question and its answer."""
 
 
 class Shared:
@@ -38,11 +42,25 @@ class Shared:
         return sha1(repr(self.looks).encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
+class Answered(NamedTuple):
+    """The state of the answer to a question, and all looks that the answer hangs on (:class:`launchlint.workspace.looking.Answer`)."""
+
+    question: str
+    state: str
+    shared: tuple[Shared, ...]
+
+
 class Looks(NamedTuple):
-    """All that a result hangs on by looking around: its own looks, sorted, and what it shares with others."""
+    """All that a result hangs on by looking around: its own looks, sorted, what it shares with others, and answers."""
 
     own: tuple[Look, ...] = ()
     shared: tuple[Shared, ...] = ()
+    answers: tuple[Answered, ...] = ()
+
+    @property
+    def all_shared(self) -> Iterable[Shared]:
+        """What it shares with others, and what its answers hang on, each once."""
+        return dict.fromkeys((*self.shared, *(each for answer in self.answers for each in answer.shared)))
 
 
 NOWHERE = Looks()
@@ -67,11 +85,19 @@ class States:
         """What was looked at, with its states; and all of ``others``."""
         own: dict[str, str] = {}
         shared = dict.fromkeys(map(self._whole, looked.wholes))
+        answers: dict[str, Answered] = {}
         for other in others:
             own.update(other.own)
             shared.update(dict.fromkeys(other.shared))
+            answers.update((each.question, each) for each in other.answers)
         own.update((path, self.of(path)) for path in looked.paths)
-        return Looks(tuple(sorted(own.items())), tuple(shared))
+        answers.update((each.question, each) for each in self.answered(looked.answers))
+        return Looks(tuple(sorted(own.items())), tuple(shared), tuple(sorted(answers.values(), key=lambda each: each.question)))
+
+    def answered(self, answers: Iterable[Answer]) -> Iterator[Answered]:
+        """The answers, with the states of all that they hang on."""
+        for each in answers:
+            yield Answered(each.question, each.state, tuple(dict.fromkeys(map(self._whole, filter(None, each.looked.sets())))))
 
     def _whole(self, paths: frozenset[str]) -> Shared:
         kept = self._shared.get(id(paths))
@@ -102,6 +128,10 @@ def places_of(files: Iterable[str], *, listed: bool) -> set[str]:
     return places
 
 
-def state_of(path: str) -> str:
-    """:func:`launchlint.workspace.looking.state`, sooner where it is that of a small file."""
+def state_of(path: str, packages: Packages | None = None) -> str:
+    """:func:`launchlint.workspace.looking.state`, sooner where it is that of a small file; of a question the answer of ``packages``."""
+    if path.startswith(QUESTION):
+        from launchlint.workspace.questions import answer
+
+        return "" if packages is None else answer(packages, path)
     return state(path) if PART in path else content_state(path) or state(path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from launchlint.workspace.looking import PART, Looked, content, note, walk, watched
+from launchlint.workspace.looking import PART, content, note, walk
 from launchlint.workspace.text_parts import LARGEST, PARTS, part_of
 
 _MOST_DIRECTORIES = 2_000
@@ -40,16 +40,10 @@ def parts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[st
         yield file, part_of(file, part)
 
 
-def files_by_word(
-    workspaces: Iterable[str], ends: tuple[str, ...], part: str, most: int = _MOST_FILES
-) -> tuple[Mapping[str, tuple[str, ...]], Looked]:
+def files_by_word(workspaces: Iterable[str], ends: tuple[str, ...], part: str, most: int = _MOST_FILES) -> Mapping[str, tuple[str, ...]]:
     """For each word of the ``part`` of the files below ``workspaces`` whose names have one of these ``ends``, the first ``most`` files
-    (absolute) that hold it; and what that hangs on, to be noted by whoever asks again. Never raises.
+    (absolute) that hold it. Never raises.
     """
-    return watched(lambda: _files_by_word(workspaces, ends, part, most))
-
-
-def _files_by_word(workspaces: Iterable[str], ends: tuple[str, ...], part: str, most: int) -> Mapping[str, tuple[str, ...]]:
     looked: set[str] = set()
     found: dict[str, list[str]] = {}
     for file, words in parts(_named(workspaces, ends), _MOST_FILES, looked, part):

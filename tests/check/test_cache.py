@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from launchlint.check import own_code, surroundings
+from launchlint.check import own_code, rows, surroundings
 from launchlint.check.cache import Cache
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import Options
@@ -379,18 +379,45 @@ def test_a_damaged_cache_is_passed_over(repository: Repository, damage: Callable
     assert repository.findings()
 
 
+def test_a_database_that_has_grown_too_large_is_begun_anew(repository: Repository, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert repository.computed() == FILES
+    file = database(repository)
+    before = file.stat().st_ino
+    monkeypatch.setattr(rows, "LARGEST_DATABASE", file.stat().st_size)
+    rows.Rows(str(file.parent), file.name).close()
+    assert file.stat().st_ino == before
+    monkeypatch.setattr(rows, "LARGEST_DATABASE", file.stat().st_size - 1)
+    rows.Rows(str(file.parent), file.name).close()
+    assert repository.computed() == FILES
+
+
 def test_values_from_somebody_else_do_no_harm(repository: Repository) -> None:
     """Even with the right seal: what does not have the right form is computed anew."""
     before = run(repository.directory, "check")
-    holds: list[object] = [[], [], [], [], []]
+    holds: list[object] = [[], [], [[], [], []], []]
     for value in (
-        *([], {}, None, 1, holds, [*holds, 1], [*holds, {"a": 1}], [*holds, [1] * 11], [[["a"]], 1, 2, 3, 4, 5]),
-        *([[], [], [], [{}], [], [1] * 11], [[], [], [["a", 1, 2]], ["x"], [], [*[1] * 6, ["ros1 arm/launch/part.launch"], *[1] * 4]]),
+        *([], {}, None, 1, holds, [*holds, 1], [*holds, {"a": 1}], [*holds, [1] * 11], [[["a"]], 1, 2, 3, 4], [[], [], [[]], [], [1] * 11]),
+        *([[], [], [[], [{}], []], [], [1] * 11], [[], [], [[], [], ["?"]], [], [1] * 11]),
+        [[], [], [[], [], [["?rospack os:system true", ""], ["?", 1]]], [], [1] * 11],
+        [[], [], [[["a", 1, 2]], ["x"], []], [], [*[1] * 6, ["ros1 arm/launch/part.launch"], *[1] * 4]],
     ):
         file = database(repository)
         with sqlite3.connect(file) as connection:
             keys = [key for (key,) in connection.execute("SELECT key FROM entries")]
             connection.executemany("UPDATE entries SET value = ? WHERE key = ?", [(sealed(key, value), key) for key in keys])
+        connection.close()
+        assert run(repository.directory, "check") == before, value
+
+
+def test_what_somebody_else_says_of_other_rows_does_no_harm(repository: Repository) -> None:
+    """What holds, what was answered, and what the stamp of the workspaces says."""
+    before = run(repository.directory, "check")
+    for value in ([], {}, None, 1, [1, 2], [["a"], {"?rospack get arm": ["", [7]]}], [[], {"?": 1}], ["", ["a"]], [[], "a"]):
+        (repository.directory / f"{len(json.dumps(value))}.txt").write_text("")  # so that it is looked at
+        with sqlite3.connect(database(repository)) as connection:
+            for table in ("held", "said", "shared"):
+                keys = [key for (key,) in connection.execute(f"SELECT key FROM {table}")]
+                connection.executemany(f"UPDATE {table} SET value = ? WHERE key = ?", [(sealed(key, value), key) for key in keys])
         connection.close()
         assert run(repository.directory, "check") == before, value
 

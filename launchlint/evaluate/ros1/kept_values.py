@@ -6,6 +6,7 @@ Kept is what hangs on nothing but these args and the packages, and of which ther
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.problems import PackageNotFound
@@ -16,6 +17,7 @@ from launchlint.problem import Problem
 from launchlint.source import Span
 from launchlint.syntax.parts import Parts, Substitution
 from launchlint.syntax.tree import Attribute
+from launchlint.workspace.looking import Looked, note, watched
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,12 +33,13 @@ MOST_KEPT = 100
 
 
 class _Kept(NamedTuple):
-    """A result, what it cost in elements looked at, and what was told of it for the entry file."""
+    """A result, what it cost in elements looked at, what was told of it for the entry file, and what was looked at for it."""
 
     value: Value
     cost: int
     problems: tuple[Problem, ...]
     entry: str
+    looked: Looked
 
 
 class KeptValues:
@@ -80,6 +83,7 @@ def kept_value(file: FileEvaluation, attribute: Attribute, parts: Parts, context
     kept = known.values.get(given)
     if kept is None or (kept.problems and kept.entry != file.entry):
         return _resolved_and_kept(file, attribute, parts, context, known, given)
+    note(kept.looked)
     if kept.cost:
         file.spend(kept.cost, attribute.value_span)
     for problem in kept.problems:
@@ -95,7 +99,7 @@ def _resolved_and_kept(
     reads, file.reads = file.reads, set()
     missing, block.missing = block.missing, {}
     try:
-        value = resolved(file, attribute, parts, context)
+        value, looked = watched(partial(resolved, file, attribute, parts, context))
         problems = tuple(effect for effect in block.effects[effects:] if isinstance(effect, PackageNotFound))
         if (
             file.reads == known.reads
@@ -103,7 +107,7 @@ def _resolved_and_kept(
             and not (problems and file.assumed)
             and not (block.missing or block.near or block.anonymous)
         ):
-            known.keep(given, _Kept(value, file.progress.looked_at - looked_at, problems, file.entry))
+            known.keep(given, _Kept(value, file.progress.looked_at - looked_at, problems, file.entry, looked))
     finally:
         file.reads |= reads
         for name, places in block.missing.items():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 
 from launchlint.evaluate.block import NO_CYCLE, Block, Clear
 from launchlint.evaluate.problems import ArgOverrideRefused, ArgRedeclared, ConditionOnLaunch
@@ -21,6 +22,7 @@ from launchlint.syntax.ros1.domains import parse_condition
 from launchlint.syntax.ros1.problems import arg_value_and_default, if_and_unless
 from launchlint.syntax.ros1.substitutions import is_plain
 from launchlint.syntax.tree import Document, Element
+from launchlint.workspace.looking import note, watched
 
 TAGS = frozenset({"arg", "group", "node", "test", "param", "remap", "machine", "rosparam", "include", "env"})
 
@@ -53,6 +55,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
     known = _known(session, entering, stored, entry, progress)
     if known is not None and progress.has_room_for(known):
         progress.looked_at += known.looked_at
+        note(known.looked)
         session.touched |= known.touched
         session.variables |= known.variables
         progress.angles |= known.angles
@@ -71,9 +74,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
     session.touched, session.variables = set(), set()
     progress.stack.append(key)
     try:
-        assert document.launch is not None
-        launch_tag(file, document.launch)
-        block.default_machine = walk(file, document.launch, context, entering.default_machine)
+        block.default_machine, block.looked = watched(partial(_whole, file, context, entering.default_machine))
     finally:
         progress.stack.pop()
         inner = session.touched, session.variables
@@ -96,6 +97,14 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         else:
             session.blocks[(stored, entry) if block.near else stored] = block
     return block
+
+
+def _whole(file: FileEvaluation, context: Context, default_machine: str | None) -> str | None:
+    """Evaluate the whole file; the default machine after it."""
+    launch = file.document.launch
+    assert launch is not None
+    launch_tag(file, launch)
+    return walk(file, launch, context, default_machine)
 
 
 def _known(session: Session, entering: Entering, stored: object, entry: str, progress: Progress) -> Block | None:

@@ -185,7 +185,7 @@ def _directory_before(parts: Parts) -> tuple[str, str]:
 
 def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
     """Where the project itself sets or reads the variable, for people; empty where it does not. Launch files are not looked at here."""
-    own = view.packages.own_variables().get(name)
+    own = view.packages.variable_in(name)
     if own is not None and own == problem.place.source.file:
         return "this program asks for it, and has no default: it is an input of whoever starts this"
     if own is not None:

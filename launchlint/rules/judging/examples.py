@@ -22,7 +22,7 @@ from launchlint.rules.judging.name_places import Owners
 from launchlint.rules.judging.near_names import NAMESPACE, SLIP, relation
 from launchlint.rules.judging.same_definition import is_known, stands_for
 from launchlint.rules.view import GraphView
-from launchlint.workspace.looking import Looked, note
+from launchlint.workspace.looking import question
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.texts import files_by_word
 
@@ -60,7 +60,7 @@ class Examples:
             instance = self._owners[id(moved)]
             namer = instance.namer
             last = moved.unremapped.rpartition("/")[2]
-            for written in (*self._written.get((instance.program, last), ()), *self._written.get((instance.program, _WITH_ARGS), ())):
+            for written in (each for end_of in (last, _WITH_ARGS) for each in self._of_program(instance.program, end_of)):
                 sides = [absolute(self._filled(side), namer.home, namer.node) for side in (written.source, written.target)]
                 if sides == [moved.unremapped, stays.name] and (file := self._other(written.files)):
                     return f"{file} starts {instance.program}, too, and remaps {written.source} to {written.target} there"
@@ -75,7 +75,7 @@ class Examples:
             return ""
         giver, taker = (end, other) if end.role in OFFERS else (other, end)
         namer = self._owners[id(taker)].namer
-        for program, written in () if taker.applied else self._same_text.get(taker.declared, ()):
+        for program, written in () if taker.applied else self._view.packages.answer(_of_source, taker.declared):
             joins = absolute(self._filled(written.target), namer.home, namer.node) == giver.name
             if joins and (file := self._other(written.files)) and self._has_name(program, taker):
                 return f"{file} starts {program} and remaps {written.source} to {written.target} there"
@@ -87,15 +87,6 @@ class Examples:
         known = self._view.library.executable(package, name) or self._view.library.nodelet(program)
         declarations = () if known is None else (each for variant in known.variants for each in variant.declarations)
         return any((each.category, each.name) == (CATEGORY[end.role], end.declared) for each in declarations)
-
-    @cached_property
-    def _same_text(self) -> Mapping[str, Sequence[tuple[str, _Written]]]:
-        """The remaps of all programs in the launch files of the workspace, by the name that they lead elsewhere, as it is written."""
-        found: dict[str, list[tuple[str, _Written]]] = {}
-        for (program, _), remaps in self._written.items():
-            for each in remaps:
-                found.setdefault(each.source, []).append((program, each))
-        return found
 
     def _other(self, files: Sequence[str]) -> str:
         """The first file that is none of this launch."""
@@ -119,12 +110,9 @@ class Examples:
             found.setdefault(each.name, set()).add(each.default if each.value is None else each.value)
         return {name: value for name, values in found.items() for value in values if len(values) == 1 and isinstance(value, str)}
 
-    @cached_property
-    def _written(self) -> Mapping[tuple[str, str], Sequence[_Written]]:
-        """The remaps of each program in the launch files of the workspace, by the last part of the name that they lead elsewhere."""
-        known, looked = self._view.packages.once(_remaps)[0]
-        note(looked)
-        return known
+    def _of_program(self, program: str, last: str) -> Sequence[_Written]:
+        """The remaps of a program in the launch files of the workspace, by the last part of the name that they lead elsewhere."""
+        return self._view.packages.answer(_of_last_part, f"{program}\t{last}")
 
     def counterparts(self, end: Endpoint, other: Endpoint) -> str:
         """What it says of two others like these two that meet each other in this launch; empty where there are none."""
@@ -189,12 +177,35 @@ def _change_alike(givers: tuple[Endpoint, Endpoint], takers: tuple[Endpoint, End
     return [given[0] - given[1], given[1] - given[0]] == [taken[0] - taken[1], taken[1] - taken[0]]
 
 
-def _remaps(packages: Packages) -> list[tuple[Mapping[tuple[str, str], Sequence[_Written]], Looked]]:
-    """The remaps inside the nodes of all launch files of the workspaces, by program and last part, and what that hangs on."""
-    words, looked = files_by_word(packages.workspaces, _LAUNCH_ENDS, "remaps", _MOST_FILES)
-    found: dict[tuple[str, str], list[_Written]] = {}
-    for word, files in words.items():
+class _Remaps(NamedTuple):
+    """Those inside the nodes of all launch files of the workspaces, by program and last part, and by the name as it is written."""
+
+    of_programs: Mapping[str, Sequence[_Written]]
+    of_sources: Mapping[str, Sequence[tuple[str, _Written]]]
+
+
+@question
+def _of_last_part(packages: Packages, what: str) -> Sequence[_Written]:
+    """The remaps of a program, by the last part of the name that they lead elsewhere."""
+    return packages.once(_remaps).of_programs.get(what, ())
+
+
+@question
+def _of_source(packages: Packages, name: str) -> Sequence[tuple[str, _Written]]:
+    """The remaps of all programs, by the name that they lead elsewhere, as it is written."""
+    return packages.once(_remaps).of_sources.get(name, ())
+
+
+def _remaps(packages: Packages) -> _Remaps:
+    of_programs: dict[str, list[_Written]] = {}
+    of_sources: dict[str, list[tuple[str, _Written]]] = {}
+    grouped: dict[tuple[str, str], list[_Written]] = {}
+    for word, files in files_by_word(packages.workspaces, _LAUNCH_ENDS, "remaps", _MOST_FILES).items():
         program, source, target = word.split("\t")
         last = _WITH_ARGS if "$(" in source else source.rstrip("/").rpartition("/")[2].lstrip("~")
-        found.setdefault((program, last), []).append(_Written(source, target, files))
-    return [(found, looked)]
+        grouped.setdefault((program, last), []).append(_Written(source, target, files))
+    for (program, last), remaps in grouped.items():
+        of_programs[f"{program}\t{last}"] = remaps
+        for each in remaps:
+            of_sources.setdefault(each.source, []).append((program, each))
+    return _Remaps(of_programs, of_sources)

@@ -40,7 +40,7 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
     if put_aside(path):
         return f"{path}, which uses {name}, seems to have been put aside"
     comments = [line for comment in document.comments for line in install_lines(comment.text)]
-    if says_install(name, comments) or says_install(name, packages.documents().installing):
+    if says_install(name, comments) or says_install(name, packages.told_to_install()):
         return f"people are told to install {name} where they need it, so that it seems to be left out on purpose"
     if name in _base():
         if home.name not in public_names():

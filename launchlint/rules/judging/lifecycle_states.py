@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from launchlint.graph.connections import Instance
 from launchlint.model import Executable, Launch, UnknownText
 from launchlint.named_tuple import NamedTuple
-from launchlint.workspace.looking import Looked, note
+from launchlint.workspace.looking import question
 from launchlint.workspace.texts import files_by_word
 
 TYPE_CHECKING = False
@@ -107,12 +107,16 @@ def _is_idle(program: Executable) -> bool:
 
 def _is_told(name: str, launch: Launch, packages: Packages) -> bool:
     """Whether a file of the workspaces that is none of this launch takes nodes to other states, and names this one: a script, a README."""
-    said, looked = packages.once(_kept)[0]
-    note(looked)
     own = set(launch.files)
-    return any(file not in own for each in (name, _ANY) for file in said.get(each, ()))
+    return any(file not in own for each in (name, _ANY) for file in packages.answer(_telling, each))
 
 
-def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], Looked]]:
-    """The files that take nodes to other states, by the names that they hold, and what that hangs on."""
-    return [files_by_word(packages.workspaces, _ENDS, "lifecycle")]
+@question
+def _telling(packages: Packages, name: str) -> tuple[str, ...]:
+    """The files that take nodes to other states, and hold the name."""
+    return packages.once(_kept).get(name, ())
+
+
+def _kept(packages: Packages) -> Mapping[str, tuple[str, ...]]:
+    """The files that take nodes to other states, by the names that they hold."""
+    return files_by_word(packages.workspaces, _ENDS, "lifecycle")

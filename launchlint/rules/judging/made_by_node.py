@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import islice
 
 from launchlint.late import late
@@ -13,7 +13,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.rules.view import LaunchView
 from launchlint.syntax.parts import Literal, Malformed, Substitution
 from launchlint.syntax.ros1.substitutions import opens, parse
-from launchlint.workspace.looking import is_file
+from launchlint.workspace.looking import Looked, is_file, remembered
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.text_parts import WRITES
 
@@ -49,9 +49,7 @@ def maker_of(path: str, view: LaunchView) -> Maker | None:
             if not (word.writes or (word.is_node and _may_extend(stem, word.value))):
                 continue
             key = word.value, file
-            one = absolutes.get(key)
-            if one is None:
-                one = absolutes[key] = absolute(word.value, file, view.packages)
+            one = remembered(absolutes, key, partial(absolute, word.value, file, view.packages))
             if word.is_node and _extends(directory, stem, ending, one):
                 made = not _starts(view, word.program, one)
             else:
@@ -107,7 +105,7 @@ def _blanked(text: str) -> str:
     return _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
-def _absolutes(packages: Packages) -> dict[tuple[str, str], str]:
+def _absolutes(packages: Packages) -> dict[tuple[str, str], tuple[str, Looked]]:
     """The paths that words of files name, see :func:`absolute`."""
     return {}
 

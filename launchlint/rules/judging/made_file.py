@@ -119,7 +119,7 @@ def _made_outside(path: str, packages: Packages, root: str) -> Made | None:
 def _saved(path: str, packages: Packages) -> str | None:
     """The document that tells people to save a map under the name of ``path``."""
     stem, end = posixpath.splitext(posixpath.basename(path))
-    return packages.documents().saved.get(stem) if end in _MAP_ENDS else None
+    return packages.map_saved_in(stem) if end in _MAP_ENDS else None
 
 
 def _kept_empty(path: str) -> str | None:

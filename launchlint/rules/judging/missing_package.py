@@ -19,7 +19,7 @@ from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_in
 from launchlint.rules.judging.template import is_among_templates
 from launchlint.spelling import closest, distance, folded, one_slip
 from launchlint.workspace.crawl import COLCON
-from launchlint.workspace.looking import Looked, note, watched
+from launchlint.workspace.looking import Looked, question, remembered
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.place import Hidden
@@ -75,11 +75,7 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
         return None
     key = (name, near, text)  # of all configurations of a file alike
     told = packages.once(_told)
-    if key not in told:
-        told[key] = watched(lambda: _judge_in(name, packages, near, text))
-    answer, looked = told[key]
-    note(looked)
-    return answer
+    return remembered(told, key, lambda: _judge_in(name, packages, near, text))
 
 
 def _told(packages: Packages) -> dict[tuple[str, str, str], tuple[Judgement | None, Looked]]:
@@ -93,13 +89,7 @@ def _judge_in(name: str, packages: Packages, near: str, text: str) -> Judgement 
     if own is not None and packages.listed_in(name) is None:
         why = f"what this file asks of it lies in {own.name}, its own package: {name} may be a former name"
         return Judgement(Severity.WARNING, why, _did_you_mean(own.name))
-    key = (name, "" if home is None else home.directory)
-    known = packages.once(_answers)
-    if key not in known:
-        known[key] = _judge(name, packages, home)
-    answer = known[key]
-    if answer is not None and answer.severity in (Severity.INFO, Severity.WARNING):
-        packages.documented_in(name)  # which notes for the cache that the answer hangs on the documents
+    answer = packages.answer(_judged, f"{name}\0{'' if home is None else home.manifest_path}")
     return answer if answer is None else _held_against_files(answer, name, text, packages, near)
 
 
@@ -148,9 +138,11 @@ def told_of_all(findings: Sequence[Finding]) -> Finding:
     return told if len(named) < 2 else told._replace(message=f"{len(named)} packages are not known: {listed(named, _MOST_NAMED)}")
 
 
-def _answers(packages: Packages) -> dict[tuple[str, str], Judgement | None]:
-    """The answers given so far, by the missing name and the home of who misses it."""
-    return {}
+@question
+def _judged(packages: Packages, about: str) -> Judgement | None:
+    """What is to be said of a missing name in the package with a manifest, or in none."""
+    name, _, manifest_path = about.partition("\0")
+    return _judge(name, packages, packages.with_manifest(manifest_path) if manifest_path else None)
 
 
 def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | None:

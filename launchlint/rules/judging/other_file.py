@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 
 from launchlint.source import Place, Source, Span
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace.looking import read_bytes
 
 
 def root_of(source: Source) -> str:

@@ -15,7 +15,7 @@ from functools import partial
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.workspace.copied_packages import is_copied
-from launchlint.workspace.looking import Looked, is_file, names, note, watched
+from launchlint.workspace.looking import Looked, is_file, names, note, question, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
@@ -72,7 +72,13 @@ _DOWNLOADED = late(
 
 def is_copy(home: Package, packages: Packages) -> bool:
     """Whether ``home`` is a public package in a workspace of others that was released, whence its list of changes."""
-    return is_released(home) and _is_of_others(home, packages)
+    return is_released(home) and packages.answer(_answers_of_others, home.manifest_path)
+
+
+@question
+def _answers_of_others(packages: Packages, manifest_path: str) -> bool:
+    home = packages.with_manifest(manifest_path)
+    return home is not None and _is_of_others(home, packages)
 
 
 def is_beside_own(home: Package, packages: Packages) -> bool:
@@ -132,8 +138,14 @@ def is_from_elsewhere(home: Package, packages: Packages) -> bool:
 
     That is: which repository it is from; or which people's, where several others have what ``catkin_create_pkg`` writes.
     """
-    manifest = home.manifest
-    if manifest is None or not _is_licensed(manifest) or not _is_of_others(home, packages):
+    return packages.answer(_answers_from_elsewhere, home.manifest_path)
+
+
+@question
+def _answers_from_elsewhere(packages: Packages, manifest_path: str) -> bool:
+    home = packages.with_manifest(manifest_path)
+    manifest = None if home is None else home.manifest
+    if home is None or manifest is None or not _is_licensed(manifest) or not _is_of_others(home, packages):
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
     return bool(_origins(manifest)) or (not _of_template(manifest.people) and workspace.left_as_made >= _SOME)
@@ -153,7 +165,13 @@ def is_signed(home: Package, packages: Packages) -> bool:
     Whoever leaves ``TODO`` for the licence of each package that they make here has got this one from somebody who did not. Where those
     without are of different people, one of these may have filled it in: then it has to have a README as well.
     """
-    return packages.once(_Signed).from_elsewhere(home)
+    return packages.answer(_answers_signed, home.manifest_path)
+
+
+@question
+def _answers_signed(packages: Packages, manifest_path: str) -> bool:
+    home = packages.with_manifest(manifest_path)
+    return home is not None and packages.once(_Signed).from_elsewhere(home)
 
 
 class _Signed:
@@ -227,8 +245,12 @@ def kept_whole(home: Package, packages: Packages) -> str:
     directory is, by people who fill in what others here leave as ``catkin_create_pkg`` wrote it. And at most a few packages outside
     of it, which came with it, have its people.
     """
-    projects = packages.once(_Projects)
-    return "" if home.manifest is None else projects.around(home.directory)
+    return "" if home.manifest is None else packages.answer(_answers_around, home.directory)
+
+
+@question
+def _answers_around(packages: Packages, directory: str) -> str:
+    return packages.once(_Projects).around(directory)
 
 
 def kept_without_package(directory: str, packages: Packages) -> str:
@@ -236,6 +258,11 @@ def kept_without_package(directory: str, packages: Packages) -> str:
 
     Such a directory has a licence and a README of its own, and several packages of the workspace lie outside of it.
     """
+    return packages.answer(_answers_bare, directory)
+
+
+@question
+def _answers_bare(packages: Packages, directory: str) -> str:
     return packages.once(_Projects).bare_around(directory)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from launchlint.workspace.looking import Looked, note
+from launchlint.workspace.looking import question
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.texts import files_by_word
 
@@ -19,12 +19,16 @@ def says(name: str, packages: Packages, *, offers: bool, besides: Collection[str
     The first part of a name in namespaces counts as little as in the code of a node that is started in one: only the last part does.
     ``besides`` are the ends of paths of files that do not count.
     """
-    known, looked = packages.once(_kept)[0]
-    note(looked)
     without = tuple(f"/{each}" for each in besides)
-    return any(not file.endswith(without) for file in known.get(f"{'+' if offers else '-'}{name}", ()))
+    return any(not file.endswith(without) for file in packages.answer(_saying, f"{'+' if offers else '-'}{name}"))
 
 
-def _kept(packages: Packages) -> list[tuple[Mapping[str, tuple[str, ...]], Looked]]:
-    """What the sources say, each with the first files that do, and what that hangs on."""
-    return [files_by_word(packages.workspaces, _SOURCE_ENDS, "topics", _MOST_KEPT)]
+@question
+def _saying(packages: Packages, what: str) -> tuple[str, ...]:
+    """The first files of the sources that say it."""
+    return packages.once(_kept).get(what, ())
+
+
+def _kept(packages: Packages) -> Mapping[str, tuple[str, ...]]:
+    """What the sources say, each with the first files that do."""
+    return files_by_word(packages.workspaces, _SOURCE_ENDS, "topics", _MOST_KEPT)

@@ -90,7 +90,7 @@ from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
-from launchlint.workspace.looking import exists, is_file
+from launchlint.workspace.looking import exists, is_file, question
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
@@ -110,14 +110,15 @@ _MOST_NAMED = 6
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
 
 
-def _is_installed(package: Package, packages: Packages) -> bool:
-    """Whether a step that installs is written where it speaks of ``package``: above it, or in a directory beside what lies above it."""
+@question
+def _is_installed(packages: Packages, manifest_path: str) -> bool:
+    """Whether a step that installs is written where it speaks of a package: above it, or in a directory beside what lies above it."""
     homes = [each.directory for place in packages.places[: len(packages.workspaces)] for each in place.everything]
     for directory in packages.distributions().installs:
         scope = directory
         while scope != posixpath.dirname(scope) and not any(is_inside(f"{home}/package.xml", (scope,)) for home in homes):
             scope = posixpath.dirname(scope)
-        if is_inside(package.manifest_path, (scope,)):
+        if is_inside(manifest_path, (scope,)):
             return True
     return False
 
@@ -161,7 +162,7 @@ def check(view: FileView) -> Iterator[Finding]:
         if not (headers or package.name in public_names() or any(map(_is_data, present)))
         else ""
     )
-    reason = unused if unused and not _is_installed(package, packages) else ""
+    reason = unused if unused and not packages.answer(_is_installed, package.manifest_path) else ""
     if not directory:
         namesakes = (f"{posixpath.relpath(each, package.directory)}/{inside}" for each in installed.directories)
         reason = next((f"it installs {each}" for each in namesakes if is_file(posixpath.join(package.directory, each))), reason)

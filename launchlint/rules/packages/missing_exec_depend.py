@@ -102,7 +102,7 @@ from launchlint.source import Place, Source, Span
 from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document, Element
-from launchlint.workspace.looking import Looked, is_file, note, watched
+from launchlint.workspace.looking import is_file, question
 from launchlint.workspace.public_packages import public_names
 
 TYPE_CHECKING = False
@@ -178,7 +178,7 @@ def check(view: FileView) -> Iterator[Finding]:
     place = _place(manifest, root_of(document.source))
     extra = is_file(posixpath.join(home.directory, SETUP_ASSISTANT)) and _is_extra(file, home, packages)
     here = any(_is_beside(name, packages, file) for name in missing)
-    ways, later = packages.once(_Ways).to(home.name, packages) if here else ({}, {})
+    ways, later = packages.answer(_ways, home.name) if here else ({}, {})
     idle = why_idle(file, home, packages)
     for name in missing:
         where, how = uses[name]
@@ -279,23 +279,12 @@ def _home(packages: Packages, file: str) -> Package | None:
     return home if home is None or modern is None or modern.directory != home.directory else modern
 
 
-class _Ways:
-    """Who needs a package: the latest answer, since files come package by package."""
+@question
+def _ways(packages: Packages, name: str) -> tuple[dict[str, Way], dict[str, Way]]:
+    """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too."""
+    from launchlint.workspace.build_order import ways_to
 
-    def __init__(self, packages: Packages) -> None:
-        self._name: str | None = None
-        self._found: tuple[dict[str, Way], dict[str, Way]] = ({}, {})
-        self._looked = Looked(frozenset())
-
-    def to(self, name: str, packages: Packages) -> tuple[dict[str, Way], dict[str, Way]]:
-        """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too."""
-        if self._name != name:
-            from launchlint.workspace.build_order import ways_to
-
-            self._name = name
-            self._found, self._looked = watched(lambda: (ways_to(name, packages), ways_to(name, packages, lacking=True)))
-        note(self._looked)
-        return self._found
+    return ways_to(name, packages), ways_to(name, packages, lacking=True)
 
 
 def together(findings: Sequence[Finding]) -> Finding:
@@ -477,18 +466,23 @@ def _with_what_they_declare(names: set[str], packages: Packages, near: str) -> s
     """``names``, and all that they need to run, as far as they can be seen here; of well-known metapackages the members."""
     reached: set[str] = set()
     waiting = sorted(names)
-    here = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
-    metapackages = {each.name: each for each in here if each.is_metapackage}
     while waiting:
         name = waiting.pop()
         if name in reached:
             continue
         reached.add(name)
         waiting += members(name)
-        package: Package | None = packages.get(name, near) or metapackages.get(name)
+        package = packages.get(name, near) or packages.with_manifest(packages.answer(_metapackage, name))
         if package is not None:
             waiting += sorted(package.run_dependencies)
     return reached
+
+
+@question
+def _metapackage(packages: Packages, name: str) -> str:
+    """The manifest of the last metapackage of the workspaces that is called so; empty where there is none."""
+    here = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+    return next((each.manifest_path for each in reversed(here) if each.is_metapackage and each.name == name), "")
 
 
 def _place(manifest: Manifest, root: str) -> Place:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.ament.placed import below_prefix, places_of, sources_of
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
-from launchlint.workspace.listing import files_of
+from launchlint.workspace.looking import files_of
 from launchlint.workspace.package import Package
 
 TYPE_CHECKING = False

@@ -10,8 +10,7 @@ from launchlint.workspace.ament.scripts import Script, entry_points, read_setup_
 from launchlint.workspace.cmake_exports import Exported, exported_commands
 from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.cmake_targets import CMakeFacts
-from launchlint.workspace.listing import files_of
-from launchlint.workspace.looking import Looked, note, watched
+from launchlint.workspace.looking import Looked, files_of, remembered
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.prefixes import is_installed
@@ -27,22 +26,19 @@ class InstalledIndex:
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
-        self._having: Mapping[str, Sequence[str]] | None = None
+        self._having: dict[None, tuple[Mapping[str, Sequence[str]], Looked]] = {}
         self._found: dict[str, tuple[Installed, Looked]] = {}
 
     def of(self, package: Package) -> Installed:
         """What ``package`` installs. Never raises."""
-        if package.directory not in self._found:
-            self._found[package.directory] = watched(lambda: installed(package, self._packages))
-        found, looked = self._found[package.directory]
-        note(looked)
-        return found
+        return remembered(self._found, package.directory, lambda: installed(package, self._packages))
 
     def having(self, name: str) -> Sequence[str]:
         """The packages of the workspaces, by name and sorted, that have a program called just ``name``; all are looked at."""
-        if self._having is None:
-            self._having = packages_having(self._packages, lambda package: self.of(package).libexec)
-        return self._having.get(name, [])
+        return remembered(self._having, None, self._programs).get(name, [])
+
+    def _programs(self) -> Mapping[str, Sequence[str]]:
+        return packages_having(self._packages, lambda package: self.of(package).libexec)
 
 
 def installed(package: Package, packages: Packages) -> Installed:

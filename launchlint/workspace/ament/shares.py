@@ -7,7 +7,7 @@ import os
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.ament.installed import Installed
 from launchlint.workspace.ament.reading import InstalledIndex
-from launchlint.workspace.looking import exists
+from launchlint.workspace.looking import Looked, exists, remembered
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.prefixes import is_installed
@@ -37,13 +37,11 @@ class _Places:
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
-        self._found: dict[str, tuple[Package, str] | None] = {}
+        self._found: dict[str, tuple[tuple[Package, str] | None, Looked]] = {}
 
     def of(self, file: str) -> tuple[Package, str] | None:
         """The package that ``file`` lies in, and its path there."""
-        if file not in self._found:
-            self._found[file] = self._place(file)
-        return self._found[file]
+        return remembered(self._found, file, lambda: self._place(file))
 
     def _place(self, file: str) -> tuple[Package, str] | None:
         nearest = self._packages.package_of(file)
