@@ -90,7 +90,7 @@ class _Origins:
 
     def _without_package(self, directory: str) -> _Origin:
         """Of what lies in no package, be it that its ``package.xml`` has another name until it is built."""
-        from launchlint.rules.judging.projects import kept_without_package
+        from launchlint.rules.judging.kept_projects import kept_without_package
 
         if directory not in self._of:
             project = kept_without_package(directory, self._known.packages)
@@ -141,6 +141,7 @@ def _milder(finding: Finding, origin: _Origin) -> Finding:
 
 def _origin(package: Package, packages: Packages) -> _Origin:
     """Whose copy a package is."""
+    from launchlint.rules.judging.kept_projects import kept_whole
     from launchlint.rules.judging.projects import (
         is_beside_own,
         is_copy,
@@ -150,7 +151,6 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         is_renamed,
         is_signed,
         is_well_known,
-        kept_whole,
         left_as_made,
     )
 

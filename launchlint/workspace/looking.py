@@ -30,11 +30,18 @@ QUESTION = "?"
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, TypeVar
+    from typing import Any, Protocol, TypeVar
 
     Asked = TypeVar("Asked", bound=Callable[[Any, str], Any])
     K = TypeVar("K")
     T = TypeVar("T")
+
+    class Surveyed(Protocol):
+        """What was seen, with all that was looked at for it."""
+
+        @property
+        def looked(self) -> frozenset[str]:
+            """Paths (absolute)."""
 
 
 class Looked(NamedTuple):

@@ -22,20 +22,14 @@ from launchlint.workspace.repository import LONGEST_PATH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, Protocol, TypeVar
+    from typing import Any, TypeVar
 
     from launchlint.workspace.arg_uses import ArgUses
     from launchlint.workspace.contents import Contents
     from launchlint.workspace.distributions import Distributions
+    from launchlint.workspace.looking import Surveyed
     from launchlint.workspace.releases import Needs
     from launchlint.workspace.variables import Readers
-
-    class Surveyed(Protocol):
-        """What was seen, with all that was looked at for it."""
-
-        @property
-        def looked(self) -> frozenset[str]:
-            """Paths (absolute)."""
 
     Made = TypeVar("Made")
     Seen = TypeVar("Seen", bound=Surveyed)
@@ -346,9 +340,9 @@ class Packages:
 
     def container_directories(self) -> frozenset[str]:
         """The directories right below the root (``/ws``) that the containers of the workspaces have, and other machines have not."""
-        from launchlint.workspace.container_homes import read_homes
+        from launchlint.workspace.surveys import container_directories
 
-        return self._survey(read_homes).directories
+        return self.answer(container_directories, "")
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

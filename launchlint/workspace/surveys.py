@@ -105,3 +105,11 @@ def container_users(packages: Packages, _: str) -> frozenset[str]:
     from launchlint.workspace.container_homes import read_homes
 
     return packages.survey(read_homes).users
+
+
+@question
+def container_directories(packages: Packages, _: str) -> frozenset[str]:
+    """As :meth:`Packages.container_directories`."""
+    from launchlint.workspace.container_homes import read_homes
+
+    return packages.survey(read_homes).directories

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from launchlint.rules.judging.projects import is_from_elsewhere, kept_whole
+from launchlint.rules.judging.kept_projects import kept_whole
+from launchlint.rules.judging.projects import is_from_elsewhere
 from launchlint.workspace.packages import Packages
 from tests.cli.running import write
 

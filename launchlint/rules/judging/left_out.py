@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 
 from launchlint.late import late
+from launchlint.rules.judging.kept_projects import kept_whole
 from launchlint.rules.judging.metapackages import members
 from launchlint.rules.judging.projects import (
     is_beside_own,
@@ -14,7 +15,6 @@ from launchlint.rules.judging.projects import (
     is_renamed,
     is_signed,
     is_well_known,
-    kept_whole,
 )
 from launchlint.syntax.tree import Document
 from launchlint.workspace.looking import is_file, walk

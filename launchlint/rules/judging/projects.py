@@ -7,7 +7,6 @@ authors, addresses), what a directory holds that only the root of a repository h
 from __future__ import annotations
 
 import posixpath
-from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from functools import partial
@@ -29,22 +28,9 @@ if TYPE_CHECKING:
 CHANGES = "CHANGELOG.rst"
 """What releases are made from (REP 132)."""
 _MUCH_MORE = 4
-_SOME = 3
+SOME = 3
 _README = "readme"
 _LICENCES = frozenset(("license", "licence", "copying", "unlicense"))
-_OF_ROOTS = frozenset(
-    (
-        ".appveyor.yml",
-        ".circleci",
-        ".github",
-        ".gitlab-ci.yml",
-        ".gitmodules",
-        ".travis.yml",
-        "appveyor.yml",
-        "bitbucket-pipelines.yml",
-    )
-)
-"""What git, or who builds and tests, reads at the root of a repository only."""
 _TEMPLATE = "@todo.todo"
 """The end of the address that ``catkin_create_pkg`` writes for who called it."""
 _EXPORTED = "todo@"
@@ -59,15 +45,8 @@ _ASSISTED = ".setup_assistant"
 """Beside it, the licence is what MoveIt's Setup Assistant always writes."""
 _SHORTEST_NAME = 3
 _WORD = late(r"[a-z]{3,}")
-_WIKI = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/[^\s<]")
 _PAGE = late(r"https?://(?:www\.|wiki\.)?ros\.org(?:/wiki)?/([A-Za-z]\w*)/?")
 _OF_CHAMP = late(r"<description>[^<>]{0,200}\bChamp Config Package\s{0,200}</description>")
-_FIRST_AND_BEHIND_LAST = ("/", "0")
-"""What the names of all that lies below a directory go on with, and the sign behind that."""
-_DOWNLOADED = late(
-    r".+-(?:master|main|develop|(?:[a-z]+-)?devel|fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|v?\d+(?:\.\d+)+)"
-)
-"""What the archive of a repository is unpacked to: its name with that of the branch or the release."""
 
 
 def is_copy(home: Package, packages: Packages) -> bool:
@@ -86,12 +65,19 @@ def is_beside_own(home: Package, packages: Packages) -> bool:
 
     It is called as a public package or names its repository, and has a list of changes or people who have nothing to do with those others.
     """
-    manifest = home.manifest
+    return packages.answer(_answers_beside_own, home.manifest_path)
+
+
+@question
+def _answers_beside_own(packages: Packages, manifest_path: str) -> bool:
+    home = packages.with_manifest(manifest_path)
+    manifest = None if home is None else home.manifest
     if (
-        manifest is None
+        home is None
+        or manifest is None
         or not manifest.people
         or not _is_filled_in(manifest)
-        or not (_is_public(home.name) or _origins(manifest) - _OF_ASSISTANT)
+        or not (is_public(home.name) or _origins(manifest) - _OF_ASSISTANT)
     ):
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
@@ -103,7 +89,12 @@ def is_beside_own(home: Package, packages: Packages) -> bool:
 
 def left_as_made(home: Package, packages: Packages) -> frozenset[str]:
     """The packages around ``home`` that are as ``catkin_create_pkg`` made them: people made them here."""
-    return packages.once(_Workspaces).around(home.directory).left - {home.name}
+    return packages.answer(_answers_left_as_made, home.directory) - {home.name}
+
+
+@question
+def _answers_left_as_made(packages: Packages, directory: str) -> frozenset[str]:
+    return packages.once(_Workspaces).around(directory).left
 
 
 def is_renamed(home: Package, packages: Packages) -> str:
@@ -112,15 +103,15 @@ def is_renamed(home: Package, packages: Packages) -> str:
     It is none where that package is here, too, or is a metapackage, which this may belong to.
     """
     manifest = home.manifest
-    if manifest is None or _is_public(home.name):
+    if manifest is None or is_public(home.name):
         return ""
     named = (match[1] for _, address in manifest.urls if (match := _PAGE.fullmatch(address)) is not None)
-    return next((each for each in named if _is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
+    return next((each for each in named if is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
 
 
 def is_published(home: Package) -> bool:
     """Whether ``home`` is called as a released package, and is not as ``catkin_create_pkg`` made it: `control` and `navigation` may be."""
-    return home.name in public_names() and not (home.manifest is not None and _is_left_as_made(home.manifest.people))
+    return home.name in public_names() and not (home.manifest is not None and is_left_as_made(home.manifest.people))
 
 
 def is_generated(home: Package) -> bool:
@@ -130,7 +121,7 @@ def is_generated(home: Package) -> bool:
 
 def is_released(home: Package) -> bool:
     """Whether ``home`` is called as a public package, and has a list of changes as a released one has."""
-    return _is_released(home.directory, home.name)
+    return was_released(home.directory, home.name)
 
 
 def is_from_elsewhere(home: Package, packages: Packages) -> bool:
@@ -148,7 +139,7 @@ def _answers_from_elsewhere(packages: Packages, manifest_path: str) -> bool:
     if home is None or manifest is None or not _is_licensed(manifest) or not _is_of_others(home, packages):
         return False
     workspace = packages.once(_Workspaces).around(home.directory)
-    return bool(_origins(manifest)) or (not _of_template(manifest.people) and workspace.left_as_made >= _SOME)
+    return bool(_origins(manifest)) or (not of_template(manifest.people) and workspace.left_as_made >= SOME)
 
 
 def is_well_known(home: Package, packages: Packages) -> bool:
@@ -156,7 +147,12 @@ def is_well_known(home: Package, packages: Packages) -> bool:
     manifest = home.manifest
     if manifest is None or not is_copied(manifest.name, manifest.people):
         return False
-    return packages.once(_Workspaces).around(home.directory).has_own
+    return packages.answer(_answers_has_own, home.directory)
+
+
+@question
+def _answers_has_own(packages: Packages, directory: str) -> bool:
+    return packages.once(_Workspaces).around(directory).has_own
 
 
 def is_signed(home: Package, packages: Packages) -> bool:
@@ -194,13 +190,13 @@ class _Signed:
 
     def _is_from_elsewhere(self, home: Package) -> bool:
         manifest = home.manifest
-        if manifest is None or not _is_licensed(manifest) or not manifest.people or _of_template(manifest.people):
+        if manifest is None or not _is_licensed(manifest) or not manifest.people or of_template(manifest.people):
             return False
         if _is_of_tool(home):
             return False
         listed = names(home.directory)
-        around = [licences for root, licences in self._workspaces if _is_in(home.directory, root)]
-        return any((licences.of_one or _has_readme(listed)) and licences.has_others(manifest) for licences in around)
+        around = [licences for root, licences in self._workspaces if is_in(home.directory, root)]
+        return any((licences.of_one or has_readme(listed)) and licences.has_others(manifest) for licences in around)
 
 
 class _Licences:
@@ -212,14 +208,14 @@ class _Licences:
         self.of_one = len({manifest.people for manifest in bare.values()}) == 1
         self._words = frozenset[str]().union(*map(_words, bare.values()))
         self._people = Counter(person for manifest in manifests.values() for person in manifest.people)
-        self._bare_people = _people(bare.values())
+        self._bare_people = everybody(bare.values())
 
     def has_others(self, manifest: Manifest) -> bool:
         """Whether several packages, and more than its people have, are without a licence, and none of them is theirs."""
         if not manifest.people.isdisjoint(self._bare_people) or not _words(manifest).isdisjoint(self._words):
             return False  # james@todo.todo may well be James
         theirs = max(self._people[person] for person in manifest.people)
-        return self._bare >= max(_SOME, theirs)
+        return self._bare >= max(SOME, theirs)
 
 
 def _is_licensed(manifest: Manifest) -> bool:
@@ -237,151 +233,6 @@ def _words_of_addresses(manifest: Manifest) -> frozenset[str]:
     return frozenset(word for each in manifest.people for word in _WORD.findall(each))
 
 
-def kept_whole(home: Package, packages: Packages) -> str:
-    """The directory (absolute) in which somebody else's project, with ``home`` in it, is kept in this workspace; else empty.
-
-    Such a directory has what a repository has at its root only, or is called as what the archive of one is unpacked to; or it holds a
-    README, and with it a licence of its own, or packages most of which have a page in the wiki of ROS, or one that is called as the
-    directory is, by people who fill in what others here leave as ``catkin_create_pkg`` wrote it. And at most a few packages outside
-    of it, which came with it, have its people.
-    """
-    return "" if home.manifest is None else packages.answer(_answers_around, home.directory)
-
-
-@question
-def _answers_around(packages: Packages, directory: str) -> str:
-    return packages.once(_Projects).around(directory)
-
-
-def kept_without_package(directory: str, packages: Packages) -> str:
-    """The directory (absolute) around ``directory``, which lies in no package, that is the root of a project; else empty.
-
-    Such a directory has a licence and a README of its own, and several packages of the workspace lie outside of it.
-    """
-    return packages.answer(_answers_bare, directory)
-
-
-@question
-def _answers_bare(packages: Packages, directory: str) -> str:
-    return packages.once(_Projects).bare_around(directory)
-
-
-class _Below:
-    """Packages by their directories: which there are below another directory is found without going through all of them."""
-
-    def __init__(self, manifests: Mapping[str, Manifest]) -> None:
-        self._directories = sorted(f"{each}/" for each in manifests)
-        self._manifests = [manifests[each[:-1]] for each in self._directories]
-
-    def of(self, directory: str) -> dict[str, Manifest]:
-        """Those in ``directory`` and below."""
-        first, last = (bisect_left(self._directories, f"{directory}{end}") for end in _FIRST_AND_BEHIND_LAST)
-        return {self._directories[at][:-1]: self._manifests[at] for at in range(first, last)}
-
-
-class _Projects:
-    """The projects that are kept in the workspaces, by their directories."""
-
-    def __init__(self, packages: Packages) -> None:
-        self._roots = [each.rstrip("/") for each in packages.workspaces]
-        everything = [each for place in packages.places[: len(self._roots)] for each in place.everything]
-        self._manifests = {each.directory: each.manifest for each in everything if each.manifest is not None}
-        self._below = _Below(self._manifests)
-        self._found: dict[str, tuple[bool, Looked]] = {}
-        self._signs: dict[str, tuple[bool, Looked]] = {}
-
-    def around(self, home: str) -> str:
-        """The nearest one that the package in the directory ``home`` lies in; empty: in none."""
-        directory = home
-        while any(directory.startswith(f"{root}/") for root in self._roots):
-            if directory not in self._found:
-                self._found[directory] = watched(partial(self._is_project, directory))
-            found, looked = self._found[directory]
-            note(looked)
-            if found:
-                return directory
-            directory = posixpath.dirname(directory)
-        return ""
-
-    def bare_around(self, home: str) -> str:
-        """The nearest one around the directory ``home`` in which no package lies; empty: there is none."""
-        directory = home
-        while any(directory.startswith(f"{root}/") for root in self._roots):
-            if self._below.of(directory):
-                return ""
-            listed = names(directory)
-            shown = _has_readme(listed) and _is_licensed_directory(listed)
-            if shown and len(self._outside(directory)) >= _SOME:
-                return directory
-            directory = posixpath.dirname(directory)
-        return ""
-
-    def _is_project(self, directory: str) -> bool:
-        """Whether a project of other people is kept in ``directory``."""
-        within = self._below.of(directory)
-        people = _people(within.values())
-        if not people:
-            return False
-        if self._is_root(directory):
-            return self._are_others(directory, people)
-        if directory in within or not _has_readme(names(directory)):
-            return False  # one package with a README is most people's own
-        if len(within) > 1 and 2 * sum(map(_is_in_wiki, within.values())) > len(within):
-            return self._are_others(directory, people)
-        named = any(each.name == posixpath.basename(directory) for each in within.values())
-        return named and self._left_as_made(directory) >= _SOME and not _of_template(people) and self._are_others(directory, people)
-
-    def _are_others(self, directory: str, people: frozenset[str]) -> bool:
-        """Whether most packages outside of ``directory`` have nothing to do with ``people``: of all, or of those in no other project."""
-        outside = self._outside(directory)
-        if _mostly_others(outside.values(), people):
-            return True
-        return _mostly_others([manifest for each, manifest in outside.items() if not self._is_in_other(each, directory)], people)
-
-    def _left_as_made(self, directory: str) -> int:
-        """How many packages outside of ``directory`` have nobody's name but what the template has."""
-        return sum(_is_left_as_made(manifest.people) for manifest in self._outside(directory).values())
-
-    def _outside(self, directory: str) -> dict[str, Manifest]:
-        """The packages outside of ``directory`` in the same workspace: of others that are overlaid nobody says that they are one's own."""
-        root = next(each for each in self._roots if _is_in(directory, each))
-        within = self._below.of(directory)
-        return {each: manifest for each, manifest in self._below.of(root).items() if each not in within}
-
-    def _is_in_other(self, package: str, directory: str) -> bool:
-        """Whether a directory around the package, and not around ``directory``, looks like the root of a repository."""
-        while any(package.startswith(f"{root}/") for root in self._roots) and not _is_in(directory, package):
-            if self._is_root(package):
-                return True
-            package = posixpath.dirname(package)
-        return False
-
-    def _is_root(self, directory: str) -> bool:
-        """Whether it looks like the root of a repository, or what its archive was unpacked to; never a mere package with a licence."""
-        if directory not in self._signs:
-            self._signs[directory] = watched(partial(self._shows_root, directory))
-        shown, looked = self._signs[directory]
-        note(looked)
-        return shown
-
-    def _shows_root(self, directory: str) -> bool:
-        listed = names(directory)
-        if _DOWNLOADED.fullmatch(posixpath.basename(directory)) is not None:
-            return _has_readme(listed) or len(self._below.of(directory)) > 1
-        if not _OF_ROOTS.isdisjoint(listed):
-            return True
-        licensed = _is_licensed_directory(listed)
-        manifest = self._manifests.get(directory)
-        if not licensed or (manifest is not None and not _is_public(manifest.name)):
-            return False
-        return _has_readme(listed) or (manifest is None and self._holds_released(directory))
-
-    def _holds_released(self, directory: str) -> bool:
-        """Whether a package right in ``directory`` was released: nobody makes a list of changes for a mere copy."""
-        inside = ((each, manifest) for each, manifest in self._below.of(directory).items() if posixpath.dirname(each) == directory)
-        return any(_is_released(each, manifest.name) for each, manifest in inside)
-
-
 class _Workspaces:
     """Whose the packages of each workspace are."""
 
@@ -393,7 +244,7 @@ class _Workspaces:
 
     def around(self, directory: str) -> _Workspace:
         """The first one that ``directory`` lies in: of others that are overlaid nobody says that they are one's own."""
-        return next((each for root, each in self._roots if _is_in(directory, root)), self._none)
+        return next((each for root, each in self._roots if is_in(directory, root)), self._none)
 
 
 class _Workspace:
@@ -412,18 +263,18 @@ class _Workspace:
         self._from_origins: dict[str, set[int]] = {}
         self._public: Counter[str] = Counter()
         for number, (_, name, manifest) in enumerate(self._known):
-            if _is_public(name):
+            if is_public(name):
                 self._public[name] += 1
             for person in manifest.people:
                 self._of_people.setdefault(person, set()).add(number)
             for origin in _origins(manifest):
                 self._from_origins.setdefault(origin, set()).add(number)
-        self.left_as_made = sum(_is_left_as_made(manifest.people) for _, _, manifest in self._known)
-        bare = [each for _, _, each in self._known if _is_left_as_made(each.people) and not _is_licensed(each)]
+        self.left_as_made = sum(is_left_as_made(manifest.people) for _, _, manifest in self._known)
+        bare = [each for _, _, each in self._known if is_left_as_made(each.people) and not _is_licensed(each)]
         self.words_left_as_made = frozenset[str]().union(*map(_words, bare))
         self.left = frozenset(each.name for each in bare)
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
-        theirs = _people(copied)
+        theirs = everybody(copied)
         few = 0 < 2 * len(copied) <= len(self._known)  # in a public project itself nearly all are in the list
         self.has_own = few and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
 
@@ -439,24 +290,25 @@ class _Workspace:
         theirs_beside = sum(posixpath.dirname(self._known[each][0]) == beside for each in of_people)
         came_along = self._in[beside] < self._count and theirs_beside == self._known_in[beside]
         alike = of_people | _united(self._from_origins, _origins(manifest))
-        related = [self._known[each][0] for each in alike if not _is_public(self._known[each][1])]
+        related = [self._known[each][0] for each in alike if not is_public(self._known[each][1])]
         theirs = sum(not (came_along and posixpath.dirname(each) == beside) for each in related)
         public = self._public.total() - self._public[home.name]
         own = len(self._known) - self._public.total() - len(related)
-        return own >= _MUCH_MORE * theirs if own > public else own >= _SOME and not theirs
+        return own >= _MUCH_MORE * theirs if own > public else own >= SOME and not theirs
 
 
 def _united(index: Mapping[str, set[int]], keys: Iterable[str]) -> set[int]:
     return set().union(*(index.get(each, ()) for each in keys))
 
 
-def _is_public(name: str) -> bool:
+def is_public(name: str) -> bool:
     """Whether somebody published a package of this name: it is in the public index, or the library that launchlint ships knows it."""
     return name in public_names() or is_in_library(name)
 
 
-def _is_released(directory: str, name: str) -> bool:
-    return _is_public(name) and is_file(posixpath.join(directory, CHANGES))
+def was_released(directory: str, name: str) -> bool:
+    """Whether the package ``name`` in ``directory`` is called as a public one, and has a list of changes."""
+    return is_public(name) and is_file(posixpath.join(directory, CHANGES))
 
 
 def _is_of_others(home: Package, packages: Packages) -> bool:
@@ -465,33 +317,36 @@ def _is_of_others(home: Package, packages: Packages) -> bool:
     That is: they are not public, and at most a few, which came with it, have its people or are from its owner; or several are not public,
     and none of these is theirs but those beside it.
     """
-    if home.manifest is None or not _is_public(home.name):
+    if home.manifest is None or not is_public(home.name):
         return False
     return bool(home.manifest.people) and packages.once(_Workspaces).around(home.directory).is_of_others_than(home, home.manifest)
 
 
-def _mostly_others(manifests: Iterable[Manifest], people: frozenset[str]) -> bool:
+def mostly_others(manifests: Iterable[Manifest], people: frozenset[str]) -> bool:
     """Whether several of the packages, and most of them, are not of ``people``."""
-    everybody = [each.people for each in manifests]
-    theirs = sum(not people.isdisjoint(each) for each in everybody)
-    return len(everybody) - theirs >= max(_SOME, _MUCH_MORE * theirs)
+    known = [each.people for each in manifests]
+    theirs = sum(not people.isdisjoint(each) for each in known)
+    return len(known) - theirs >= max(SOME, _MUCH_MORE * theirs)
 
 
-def _people(manifests: Iterable[Manifest]) -> frozenset[str]:
+def everybody(manifests: Iterable[Manifest]) -> frozenset[str]:
+    """The people of all of them."""
     return frozenset().union(*(each.people for each in manifests))
 
 
-def _is_left_as_made(people: frozenset[str]) -> bool:
-    return bool(people) and _of_template(people) == people
+def is_left_as_made(people: frozenset[str]) -> bool:
+    """Whether the people of a package are those that ``catkin_create_pkg`` wrote."""
+    return bool(people) and of_template(people) == people
 
 
-def _of_template(people: frozenset[str]) -> frozenset[str]:
+def of_template(people: frozenset[str]) -> frozenset[str]:
+    """Those among ``people`` that ``catkin_create_pkg`` wrote."""
     return frozenset(each for each in people if each.endswith(_TEMPLATE))
 
 
 def _is_filled_in(manifest: Manifest) -> bool:
     """Whether somebody has said what the licence is, and who they are."""
-    return _is_licensed(manifest) and not _of_template(manifest.people)
+    return _is_licensed(manifest) and not of_template(manifest.people)
 
 
 def _is_of_tool(home: Package) -> bool:
@@ -505,21 +360,19 @@ def _is_part(page: str, name: str) -> bool:
     return page.lower() != name.lower() and f"_{page.lower()}_" in f"_{name.lower()}_"
 
 
-def _is_in(package: str, directory: str) -> bool:
+def is_in(package: str, directory: str) -> bool:
+    """Whether a package lies in ``directory`` or below it."""
     return f"{package}/".startswith(f"{directory}/")
 
 
-def _is_licensed_directory(listed: Iterable[str]) -> bool:
+def has_licence(listed: Iterable[str]) -> bool:
+    """Whether there is a licence among the names of a directory."""
     return not _LICENCES.isdisjoint(each.partition(".")[0].lower() for each in listed)
 
 
-def _has_readme(listed: Iterable[str]) -> bool:
+def has_readme(listed: Iterable[str]) -> bool:
+    """Whether there is a README among the names of a directory."""
     return any(each.partition(".")[0].lower() == _README for each in listed)
-
-
-def _is_in_wiki(manifest: Manifest) -> bool:
-    """Whether a page in the wiki of ROS is named; a template proposes one in a comment."""
-    return any(_WIKI.match(address) is not None for _, address in manifest.urls)
 
 
 def _origins(manifest: Manifest) -> frozenset[str]:
