@@ -58,7 +58,7 @@ class Hidden:
 
     def _elements(self) -> Iterator[Element]:
         """The outermost hidden elements, in order."""
-        inside = -1
+        inside = 0
         nameless = self._nameless - self._named
         if self._document is None:
             return
@@ -84,7 +84,7 @@ class Hidden:
         scopes = _around(hidden)
         sequence: list[Any] = []
         declared: Counter[tuple[str | None, int]] = Counter()
-        inside = -1
+        inside = 0
         for element in self._document.elements:
             start, end = element.span
             if start < inside:

@@ -180,6 +180,7 @@ CHANGED: dict[str, tuple[str, str, str]] = {
         '<param name="a" value="1"/><param if="false" name="a" value="2"/>',
         "no configuration shows what this does to the <param> under a condition that is never met, or of unknown name",
     ),
+    "something that is never taken, and was not there": ("[[n]]", '[[n]]<group if="false">[[m]]</group>', NEVER_SEEN),
     "the second of two that touch and are never taken": (
         '<group if="false">[[n]]</group><group if="false">[[m]]</group>',
         '<group if="false">[[n]]</group><group if="false">[[m ns="a"]]</group>', NEVER_SEEN,

@@ -3,6 +3,8 @@
 What it does: it compares the frames that nodes take from their params with those whose transforms the launch publishes: by static
 publishers, by nodes that the library knows, and by a plain URDF. It speaks where all that publishes transforms is known, and
 where exactly one frame is one letter away. Names that differ in a digit or in a mark (`_l`, `_r`) are those of other sensors.
+A frame that its own node publishes, as amcl does `odom_frame_id`, is there; it is told where nothing hangs on it, while the one that is
+one letter away has no parent: two trees that were meant to be one.
 
 ## Why it matters
 
@@ -52,29 +54,38 @@ RULE = Rule("LL624", "unknown-frame", Severity.WARNING)
 def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look for each frame among those that are published."""
     graph = view.graph
+    given = {frame.parameter for instance in graph.instances for frame in instance.frames if frame.role == "child"}
     named = [
         (instance, frame, setting)
         for instance in graph.instances
         for frame in instance.frames
-        if frame.role != "child" and frame.name and frame.parameter and (setting := graph.parameters.setting(frame.parameter)) is not None
+        if frame.name and frame.parameter and (frame.role == "child" or frame.parameter not in given)
+        if (setting := graph.parameters.setting(frame.parameter)) is not None
     ]
     if not named:
         return
     made = _made(graph)
     if made is not None and len(named) * len(made) > MOST_COMPARED:
         return
+    parents = {each.parent for each in published(graph)}
+    roots = parents - {each.child for each in published(graph)}
     for instance, frame, setting in named:
-        name = bare(frame.name)
-        if made is None or name in made:
+        name, own = bare(frame.name), frame.role == "child"
+        if made is None or (name in parents if own else name in made):
             yield RULE.fine(setting.origin)
             continue
-        near = [other for other in made if relation(f"/{name}", f"/{other}") == SLIP]
+        near = [other for other in made if (not own or other in roots) and relation(f"/{name}", f"/{other}") == SLIP]
         if len(near) == 1 and frame.certain and is_certain(setting):
+            said = (
+                f"{instance.program} publishes the frame {name}, from {frame.parameter}, and nothing in this launch hangs on it"
+                if own
+                else f"nothing in this launch publishes the frame {name}, which {instance.program} takes from {frame.parameter}"
+            )
             yield RULE.at(
                 setting.origin,
-                f"nothing in this launch publishes the frame {name}, which {instance.program} takes from {frame.parameter}",
-                label="no such frame",
-                notes=(f"{made[near[0]].name} publishes {near[0]}",),
+                said,
+                label="nothing hangs on it" if own else "no such frame",
+                notes=(f"{made[near[0]].name} publishes {near[0]}" + (", which has no parent" if own else ""),),
                 help=f"did you mean {near[0]}?",
                 topic=frame.parameter,
                 cause=f"{name} for {near[0]}",
