@@ -7,7 +7,6 @@ repositories. Of the people it has a mark only, no address.
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Iterable
 
@@ -19,7 +18,9 @@ _LENGTH = 8
 
 def mark(name: str, people: Iterable[str]) -> str:
     """What stands in the list for the package ``name`` of ``people``, who are addresses in small letters."""
-    return hashlib.sha256("\n".join((name, *sorted(people))).encode("utf-8", "replace")).hexdigest()[:_LENGTH]
+    from hashlib import sha256  # most files are nobody's copy
+
+    return sha256("\n".join((name, *sorted(people))).encode("utf-8", "replace")).hexdigest()[:_LENGTH]
 
 
 def is_copied(name: str, people: Iterable[str]) -> bool:
