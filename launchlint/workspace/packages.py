@@ -105,14 +105,16 @@ class Packages:
 
     def answer(self, question: Callable[[Packages, str], Made], about: str) -> Made:
         """The answer to a question (:func:`launchlint.workspace.questions.question`), found once; whoever asks hangs on that alone."""
-        name = f"{QUESTION}{self.way.name} {question.__module__}:{question.__name__} {about}"
-        made: Made = answered(self._answers, name, lambda: question(self, about))
+        made: Made = answered(self._answers, self._asked(question, about), lambda: question(self, about))
         return made
 
     def answer_state(self, question: Callable[[Packages, str], Any], about: str) -> str:
         """The state of that answer."""
         self.answer(question, about)
-        return self._answers[f"{QUESTION}{self.way.name} {question.__module__}:{question.__name__} {about}"][1].state
+        return self._answers[self._asked(question, about)][1].state
+
+    def _asked(self, question: Callable[[Packages, str], Any], about: str) -> str:
+        return f"{QUESTION}{self.way.name} {question.__module__}:{question.__name__} {about}"
 
     def answers(self) -> list[Answer]:
         """All answers that were given."""

@@ -39,6 +39,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
+from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.near_names import SLIP, relation
 from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.judging.published_frames import TOPICS, bare, description, has_prefix, published
@@ -65,42 +66,52 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     if not named:
         return
     made = _made(graph)
-    if made is not None and len(named) * len(made) > MOST_COMPARED:
+    if made is not None and len(named) * len(made.publishers) > MOST_COMPARED:
         return
-    parents = {each.parent for each in published(graph)}
-    roots = parents - {each.child for each in published(graph)}
     for instance, frame, setting in named:
         name, own = bare(frame.name), frame.role == "child"
-        if made is None or (name in parents if own else name in made):
+        if made is None or name in (made.parents if own else made.publishers):
             yield RULE.fine(setting.origin)
             continue
-        near = [other for other in made if (not own or other in roots) and relation(f"/{name}", f"/{other}") == SLIP]
+        near = [other for other in (made.roots if own else made.publishers) if relation(f"/{name}", f"/{other}") == SLIP]
         if len(near) == 1 and frame.certain and is_certain(setting):
-            said = (
-                f"{instance.program} publishes the frame {name}, from {frame.parameter}, and nothing in this launch hangs on it"
-                if own
-                else f"nothing in this launch publishes the frame {name}, which {instance.program} takes from {frame.parameter}"
-            )
+            note = f"{made.publishers[near[0]].name} publishes {near[0]}"
+            if own:
+                said = f"{instance.program} publishes the frame {name}, from {frame.parameter}, and nothing in this launch hangs on it"
+                label, note = "nothing hangs on it", f"{note}, which has no parent"
+            else:
+                said = f"nothing in this launch publishes the frame {name}, which {instance.program} takes from {frame.parameter}"
+                label = "no such frame"
             yield RULE.at(
                 setting.origin,
                 said,
-                label="nothing hangs on it" if own else "no such frame",
-                notes=(f"{made[near[0]].name} publishes {near[0]}" + (", which has no parent" if own else ""),),
+                label=label,
+                notes=(note,),
                 help=f"did you mean {near[0]}?",
                 topic=frame.parameter,
                 cause=f"{name} for {near[0]}",
             )
 
 
-def _made(graph: ConnectionGraph) -> dict[str, Instance] | None:
-    """Each frame that the launch publishes, with a node that does; None where there may be others."""
+class _Made(NamedTuple):
+    """The frames that a launch publishes, each with a node that does; those that others hang on, and those of them without a parent."""
+
+    publishers: dict[str, Instance]
+    parents: frozenset[str]
+    roots: frozenset[str]
+
+
+def _made(graph: ConnectionGraph) -> _Made | None:
+    """What the launch publishes; None where there may be more."""
     if not graph.launch.complete or has_prefix(graph) or any(_may_publish_more(graph, instance) for instance in graph.instances):
         return None
-    made: dict[str, Instance] = {}
-    for each in published(graph):
-        made.setdefault(each.child, each.instance)
-        made.setdefault(each.parent, each.instance)
-    return made
+    publishers: dict[str, Instance] = {}
+    transforms = list(published(graph))
+    for each in transforms:
+        publishers.setdefault(each.child, each.instance)
+        publishers.setdefault(each.parent, each.instance)
+    parents = frozenset(each.parent for each in transforms)
+    return _Made(publishers, parents, parents.difference(each.child for each in transforms))
 
 
 def _may_publish_more(graph: ConnectionGraph, instance: Instance) -> bool:
