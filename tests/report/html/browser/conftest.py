@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -17,9 +15,10 @@ from tests.bench.report import write_launch
 from tests.conftest import find_chromium
 from tests.report.html.browser.hostile import write_hostile
 from tests.report.html.browser.reading import drawn
+from tests.report.html.browser.robots import RobotPages
+from tests.report.html.browser.writing import commit, write_report
 
 HERE = Path(__file__).parent
-GIT = ("git", "-c", "user.name=nobody", "-c", "user.email=nobody@example.org", "-c", "commit.gpgsign=false")
 
 Open = Callable[..., Page]
 FIRST = {"robot": "#entry=robot.launch"}
@@ -33,6 +32,13 @@ def browser() -> Iterator[Browser]:
         started = playwright.chromium.launch(executable_path=find_chromium(), args=["--no-sandbox"])
         yield started
         started.close()
+
+
+@pytest.fixture(scope="session")
+def robot_pages(tmp_path_factory: pytest.TempPathFactory) -> RobotPages:
+    """The pages of robots of the corpus."""
+    own = tmp_path_factory.getbasetemp()
+    return RobotPages((own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "robot-pages")
 
 
 @pytest.fixture(scope="session")
@@ -50,19 +56,6 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
         return made[name]
 
     return report
-
-
-def write_report(directory: Path, page: Path, *words: str) -> None:
-    """Write what ``launchlint report WORDS`` makes of a directory."""
-    command = [sys.executable, "-m", "launchlint", "report", *words, "-o", str(page), "--quiet", "--jobs", "1"]
-    environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
-    subprocess.run(command, cwd=directory, env=environment, check=True)
-
-
-def commit(directory: Path) -> None:
-    """Make the directory a repository with all that is in it."""
-    for words in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "before")):
-        subprocess.run([*GIT, *words], cwd=directory, check=True)
 
 
 def _written(directory: Path, *words: str) -> Path:

@@ -8,21 +8,12 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.conftest import find_corpus
-from tests.report.html.browser.conftest import write_report
 from tests.report.html.browser.reading import drawn
+from tests.report.html.browser.robots import ROBOTS, RobotPages
+from tests.report.html.browser.writing import write_report
 
 pytestmark = pytest.mark.chromium
 
-ROBOTS = {
-    "ros1/PR2+pr2_robot": "pr2_bringup/pr2.launch",
-    "ros1/ethz-asl+rotors_simulator": "rotors_gazebo/launch/firefly_swarm_hovering_example.launch",
-    "ros1/spencer-project+spencer_people_tracking": "launch/spencer_people_tracking_launch/launch/tracking_on_bagfile.launch",
-    "ros1/ZJU-FAST-Lab+ego-planner-swarm": "src/planner/plan_manage/launch/swarm_large.launch",
-    "ros2/autowarefoundation+autoware.universe": "launch/tier4_localization_launch/launch/localization.launch.xml",
-    "ros2/autowarefoundation+autoware_launch": "autoware_launch/launch/logging_simulator.launch.xml",
-    "ros2/castacks+AirStack": "common/ros_packages/desktop_bringup/launch/robot.launch.xml",
-}
-"""Of 29 to 106 nodes."""
 SMALLEST = """() => {
   const svg = document.querySelector("#drawing > svg");
   const frame = svg.getBoundingClientRect();
@@ -74,10 +65,8 @@ def test_every_name_of_the_example_can_be_read_and_it_fills_the_stage(open_repor
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("robot", ROBOTS)
-def test_every_name_of_a_public_robot_can_be_read(browser: Browser, tmp_path: Path, robot: str) -> None:
-    directory = Path(str(find_corpus())) / robot
-    target = tmp_path / "report.html"
-    write_report(directory, target, ROBOTS[robot], "--workspace", ".")
+def test_every_name_of_a_public_robot_can_be_read(browser: Browser, robot_pages: RobotPages, robot: str) -> None:
+    target = robot_pages.of(robot, ROBOTS[robot])
     for width, height in ((1440, 900), (1920, 1080), (390, 844)):
         page = browser.new_page(viewport={"width": width, "height": height}, reduced_motion="reduce")
         page.goto(f"{target.as_uri()}#entry={ROBOTS[robot]}")

@@ -13,11 +13,10 @@ from playwright.sync_api import Browser, Page
 
 from tests.bench.report_drawing import ready
 from tests.conftest import find_corpus
-from tests.report.html.browser.conftest import commit
 from tests.report.html.browser.reading import drawn, lines
-from tests.report.html.browser.test_first_sight import ROBOTS
+from tests.report.html.browser.robots import ROBOTS, RobotPages, add_newcomer, opened, written
 from tests.report.html.browser.test_landing import COUNTED, titles
-from tests.report.html.browser.test_robots import add_newcomer, opened, written
+from tests.report.html.browser.writing import commit
 from tests.report.html.pages import data_of
 
 pytestmark = [pytest.mark.chromium, pytest.mark.corpus]
@@ -52,10 +51,8 @@ class Repository:
 
 
 @pytest.fixture(scope="module", params=REPOSITORIES)
-def repository(request: pytest.FixtureRequest, browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Repository:
-    target = tmp_path_factory.mktemp("repository") / "report.html"
-    written(Path(str(find_corpus())) / request.param, ".", target)
-    return Repository(browser, target, request.param)
+def repository(request: pytest.FixtureRequest, browser: Browser, robot_pages: RobotPages) -> Repository:
+    return Repository(browser, robot_pages.of(request.param, "."), request.param)
 
 
 def test_a_card_for_each_launch_file_what_needs_attention_first(repository: Repository) -> None:
@@ -148,9 +145,8 @@ def test_a_pull_request_shows_what_changed_first(browser: Browser, tmp_path: Pat
 
 
 @pytest.mark.parametrize("name", [each for each in ROBOTS if each.startswith("ros2/")])
-def test_what_only_ros_2_has(browser: Browser, tmp_path: Path, name: str) -> None:
-    target = tmp_path / "report.html"
-    written(Path(str(find_corpus())) / name, ROBOTS[name], target)
+def test_what_only_ros_2_has(browser: Browser, robot_pages: RobotPages, name: str) -> None:
+    target = robot_pages.of(name, ROBOTS[name])
     entry = data_of(target.read_text(encoding="utf-8"))["entries"][0]
     page = opened(browser, target, f"#entry={quote(ROBOTS[name], safe='')}")
 

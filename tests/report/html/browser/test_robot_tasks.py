@@ -10,11 +10,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page
 
-from tests.conftest import find_corpus
 from tests.report.html.browser.paper import PAPERS, ink, sheets
 from tests.report.html.browser.reading import boxes, drawn, fragment
-from tests.report.html.browser.test_first_sight import ROBOTS
-from tests.report.html.browser.test_robots import written
+from tests.report.html.browser.robots import ROBOTS, RobotPages
 from tests.report.html.browser.test_tasks import MOST, Steps
 from tests.report.html.pages import data_of
 
@@ -54,11 +52,9 @@ class Robot:
 
 
 @pytest.fixture(scope="module", params=ROBOTS)
-def robot(request: pytest.FixtureRequest, browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Robot]:
-    target = tmp_path_factory.mktemp("robot") / "report.html"
+def robot(request: pytest.FixtureRequest, browser: Browser, robot_pages: RobotPages) -> Iterator[Robot]:
     launch = ROBOTS[request.param]
-    written(Path(str(find_corpus())) / request.param, launch, target)
-    made = Robot(browser, launch, target)
+    made = Robot(browser, launch, robot_pages.of(request.param, launch))
     yield made
     assert [each.taken for each in made.tasks if each.taken > MOST] == []
 
@@ -167,19 +163,20 @@ def test_why_is_this_node_alone(robot: Robot) -> None:
         assert any(word in line for line in task.panel for word in reasons), task.panel
 
 
-@pytest.mark.parametrize(("paper", "landscape"), PAPERS)
-def test_print(robot: Robot, tmp_path: Path, paper: str, landscape: bool) -> None:
-    printed = sheets(robot.task().page, tmp_path, paper, landscape=landscape)
-    assert all(sheet.strip() for sheet in printed)
-    # The drawing takes one sheet, and no line of it is cut at the edge of the paper.
-    left, top, right, bottom = ink(tmp_path, 1)
-    assert min(left, top) > 0.01
-    assert max(right, bottom) < 0.99
-    assert right - left > 0.5
-    assert "Nodes" not in printed[0].split()
-    heads = [sheet for sheet in printed if re.search(r"^ *Node +Program +Known +Place +Findings *$", sheet, re.MULTILINE)]
-    titles = [sheet for sheet in printed if re.search(r"^ *Nodes *$", sheet, re.MULTILINE)]
-    assert (len(titles), len(heads) > 0) == (1, True)
+def test_print(robot: Robot, tmp_path: Path) -> None:
+    page = robot.task().page
+    for paper, landscape in PAPERS:
+        printed = sheets(page, tmp_path, paper, landscape=landscape)
+        assert all(sheet.strip() for sheet in printed)
+        # The drawing takes one sheet, and no line of it is cut at the edge of the paper.
+        left, top, right, bottom = ink(tmp_path, 1)
+        assert min(left, top) > 0.01
+        assert max(right, bottom) < 0.99
+        assert right - left > 0.5
+        assert "Nodes" not in printed[0].split()
+        heads = [sheet for sheet in printed if re.search(r"^ *Node +Program +Known +Place +Findings *$", sheet, re.MULTILINE)]
+        titles = [sheet for sheet in printed if re.search(r"^ *Nodes *$", sheet, re.MULTILINE)]
+        assert (len(titles), len(heads) > 0) == (1, True)
 
 
 def test_another_configuration(robot: Robot) -> None:

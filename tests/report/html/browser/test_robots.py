@@ -6,13 +6,13 @@ import shutil
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser
 
 from tests.conftest import find_corpus
-from tests.report.html.browser.conftest import commit, write_report
 from tests.report.html.browser.reading import drawn
-from tests.report.html.browser.test_first_sight import ROBOTS
+from tests.report.html.browser.robots import ROBOTS, RobotPages, add_newcomer, opened, written
 from tests.report.html.browser.test_tasks import MOST, Steps
+from tests.report.html.browser.writing import commit
 from tests.report.html.pages import data_of
 
 pytestmark = [pytest.mark.chromium, pytest.mark.corpus]
@@ -24,31 +24,10 @@ PLACES = """() => Object.fromEntries([...document.querySelectorAll("#drawing > s
 }))"""
 
 
-def written(directory: Path, launch: str, target: Path, *words: str) -> None:
-    """Write the page of a robot, which is a workspace of its own."""
-    write_report(directory, target, launch, "--workspace", ".", *words)
-
-
-def add_newcomer(launch: Path, robot: str, package: str, program: str, words: str = "") -> None:
-    """Add a node of the name *newcomer* to a launch file of a robot."""
-    program_is = "exec" if robot.startswith("ros2/") else "type"
-    node = f'<node pkg="{package}" {program_is}="{program}" name="newcomer" args="{words}"/>'
-    before, _, after = launch.read_text(encoding="utf-8").rpartition("</launch>")
-    launch.write_text(f"{before}{node}</launch>{after}", encoding="utf-8")
-
-
-def opened(browser: Browser, target: Path, fragment: str) -> Page:
-    page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
-    page.goto(f"{target.as_uri()}{fragment}")
-    drawn(page)
-    return page
-
-
 @pytest.mark.parametrize("robot", ROBOTS)
-def test_a_robot(browser: Browser, tmp_path: Path, robot: str) -> None:
-    directory, target = tmp_path / "robot", tmp_path / "report.html"
-    shutil.copytree(Path(str(find_corpus())) / robot, directory, symlinks=True)
-    written(directory, ROBOTS[robot], target)
+def test_a_robot(browser: Browser, robot_pages: RobotPages, tmp_path: Path, robot: str) -> None:
+    target = tmp_path / "report.html"
+    shutil.copyfile(robot_pages.of(robot, ROBOTS[robot]), target)
     page = opened(browser, target, f"#entry={ROBOTS[robot]}")
     places = page.evaluate(PLACES)
     assert len(places) > 5
@@ -72,8 +51,10 @@ def test_a_robot(browser: Browser, tmp_path: Path, robot: str) -> None:
     page.locator("#panel").get_by_text(name).first.wait_for()
     page.close()
 
-    launch = directory / ROBOTS[robot]
-    add_newcomer(launch, robot, "rosout", "rosout")
+    # The page that is written over says which nodes are new.
+    directory = tmp_path / "robot"
+    shutil.copytree(Path(str(find_corpus())) / robot, directory, symlinks=True)
+    add_newcomer(directory / ROBOTS[robot], robot, "rosout", "rosout")
     written(directory, ROBOTS[robot], target)
     page = opened(browser, target, f"#entry={ROBOTS[robot]}")
     after = page.evaluate(PLACES)
