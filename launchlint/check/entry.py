@@ -227,32 +227,41 @@ class EntryChecker:
         summary = EntrySummary(path, True, (), (), ())
         return EntryResult(request, path, "error", (finding.rule, finding.message), (finding,), (), (), (), summary, 0, outcome=CRASHED)
 
-    def verdict(self, request: EntryRequest) -> Verdict:
-        """What roslaunch makes of the entry file, as :meth:`check` says it."""
+    def evaluations(self, request: EntryRequest) -> Iterator[Evaluation]:
+        """The entry file in each configuration that is looked at, first of all as given."""
         session = self.session_for(request)
         session.begin_entry()
+        return islice(configurations(session, request.at, request.arguments), 1 if self.options.default_only else None)
+
+    def verdict(self, request: EntryRequest, evaluations: Iterable[Evaluation]) -> Verdict:
+        """What its launcher makes of the entry file, of which these are all :meth:`evaluations`, as :meth:`check` says it."""
+        session = self.session_for(request)
         pinned = frozenset(name for name, _ in request.arguments)
-        found = islice(configurations(session, request.at, request.arguments), 1 if self.options.default_only else None)
-        told = (_told_at_declarations(session, request.at, evaluation, pinned) for evaluation in found)
-        evaluations = (without_tried(each, request.arguments) for each in told)
-        first, *others = ((each.launch.given, judged(each.launch, self._view(each, request))) for each in evaluations)
+        told = (_told_at_declarations(session, request.at, evaluation, pinned) for evaluation in evaluations)
+        plain = (without_tried(each, request.arguments) for each in told)
+        first, *others = ((each.launch.given, judged(each.launch, self._view(each, request))) for each in plain)
         return first[1].beside(others)
 
     def _view(self, evaluation: Evaluation, request: EntryRequest) -> LaunchView:
         return LaunchView(evaluation.launch, self.packages, request.declared, evaluation.documents)
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
-        """What one entry file starts as given, and why roslaunch refuses it: rule ID and message of the first reason, if it does."""
+        """What one entry file starts as given, and its :meth:`refusal`."""
         session = self.session_for(request)
         session.begin_entry()
         evaluation = evaluate(session, request.at, request.arguments)
-        launch = _told_at_declarations(session, request.at, evaluation, frozenset(name for name, _ in request.arguments)).launch
+        return evaluation, self.refusal(request, evaluation)
+
+    def refusal(self, request: EntryRequest, evaluation: Evaluation) -> tuple[str, str] | None:
+        """Why its launcher refuses the entry file: rule ID and message of the first reason, if it does."""
+        pinned = frozenset(name for name, _ in request.arguments)
+        launch = _told_at_declarations(self.session_for(request), request.at, evaluation, pinned).launch
         refused = launch.refused
         if refused is None:
-            return evaluation, None
+            return None
         view = LaunchView(launch, self.packages, request.declared)
         told = [finding.message for finding in tell(refused, view, self.options.rules)]
-        return evaluation, (rule_of(type(refused)), told[0] if told else plainly(refused))
+        return rule_of(type(refused)), told[0] if told else plainly(refused)
 
     def session_for(self, request: EntryRequest) -> Session:
         """The shared session, or one of its own where other text stands in for a file."""

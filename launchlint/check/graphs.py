@@ -9,30 +9,36 @@ from contextlib import contextmanager
 from launchlint.check.changed import Changed, changed
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import EntryRequest, Options
-from launchlint.dialects.door import configurations, evaluate
+from launchlint.evaluate.assemble import Evaluation
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.details import details
 from launchlint.graph.earlier import Earlier
 from launchlint.graph.topology import Topology, topology
+from launchlint.verdict import Verdict
 
 
 def topology_of(checker: EntryChecker, request: EntryRequest, *, every_configuration: bool) -> Topology:
-    """What an entry file connects, as :func:`graphs_of`, with the verdict on it and who may be at empty ends."""
-    graphs = graphs_of(checker, request, every_configuration=every_configuration)
+    """What an entry file connects as given, or in every configuration, with the verdict on it and who may be at empty ends."""
+    graphs, verdict = graphs_and_verdict(checker, request, every_configuration=every_configuration)
     beside = details(graphs)
-    return topology(graphs)._replace(verdict=checker.verdict(request), doubts=beside.doubts, partly=beside.partly)
+    return topology(graphs)._replace(verdict=verdict, doubts=beside.doubts, partly=beside.partly)
 
 
-def graphs_of(checker: EntryChecker, request: EntryRequest, *, every_configuration: bool) -> list[ConnectionGraph]:
-    """The connection graph of an entry file as given; with ``every_configuration`` of all that differ."""
-    session = checker.session_for(request)
-    session.begin_entry()
-    if not every_configuration:
-        return [connect(evaluate(session, request.at, request.arguments).launch, checker.library)]
+def graphs_and_verdict(checker: EntryChecker, request: EntryRequest, *, every_configuration: bool) -> tuple[list[ConnectionGraph], Verdict]:
+    """As :func:`graphs_of`, with the verdict on the entry file."""
+    evaluations = list(checker.evaluations(request))
+    return _graphs(checker, evaluations if every_configuration else evaluations[:1]), checker.verdict(request, evaluations)
+
+
+def graphs_of(checker: EntryChecker, request: EntryRequest) -> list[ConnectionGraph]:
+    """The connection graphs of an entry file, in all configurations that differ."""
+    return _graphs(checker, checker.evaluations(request))
+
+
+def _graphs(checker: EntryChecker, evaluations: Iterable[Evaluation]) -> list[ConnectionGraph]:
     earlier = Earlier()
-    found = configurations(session, request.at, request.arguments)
-    return [connect(evaluation.launch, checker.library, earlier) for evaluation in found]
+    return [connect(evaluation.launch, checker.library, earlier) for evaluation in evaluations]
 
 
 class Revision:

@@ -32,8 +32,8 @@ def with_losses_since(result: EntryResult, checker: EntryChecker, old: Revision,
     if request is None or not old.differs(checker.options.root, result.launch_files):
         return result
     try:
-        after = tuple(graphs_of(checker, result.request, every_configuration=True))
-        before = graphs_of(old.checker, request, every_configuration=True)
+        after = tuple(graphs_of(checker, result.request))
+        before = graphs_of(old.checker, request)
         view = BaseView(base, difference(topology(before), topology(after)), after)
     except Exception as error:  # one file must never take the run down
         return result._replace(findings=(*result.findings, internal_error("the comparison", result.path, error)))

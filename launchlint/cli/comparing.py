@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from launchlint.check.entry import EntryChecker
-from launchlint.check.graphs import graphs_of, revision, topology_of
+from launchlint.check.graphs import graphs_and_verdict, revision, topology_of
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
 from launchlint.errors import UsageError
@@ -107,8 +107,8 @@ def _topologies(
     wanted = {request.at for request in kept}
     for path, request in requests.items():
         if request.at in wanted:
-            graphs = graphs_of(checker, request, every_configuration=True)
-            found[path] = topology(graphs)._replace(verdict=checker.verdict(request))
+            graphs, verdict = graphs_and_verdict(checker, request, every_configuration=True)
+            found[path] = topology(graphs)._replace(verdict=verdict)
             included.update(each.source.path for graph in graphs for each in graph.launch.includes if each.source is not None)
     return found, {path for path, each in found.items() if each.entry not in included}
 

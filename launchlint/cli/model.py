@@ -37,8 +37,9 @@ def command(entry: EntryOptions, format_: str) -> int:
     refused = False
     collected: list[object] = []
     for request in requests:
-        evaluation, error = checker.model(request)
-        verdict = checker.verdict(request)
+        evaluations = list(checker.evaluations(request))
+        evaluation, verdict = evaluations[0], checker.verdict(request, evaluations)
+        error = checker.refusal(request, evaluation)
         refused |= error is not None
         if format_ == "text":
             title = f"{visible(evaluation.launch.entry.path)}:\n" if len(requests) > 1 else ""

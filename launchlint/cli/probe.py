@@ -145,7 +145,7 @@ def _unknown(paths: Sequence[str], output: str | None) -> Target | None:
     if not requests:
         raise UsageError("there is no launch file here whose nodes could be probed; give one")
     read_ahead(requests, checker, 0, None)
-    graphs = [graph for request in requests for graph in graphs_of(checker, request, every_configuration=True)]
+    graphs = [graph for request in requests for graph in graphs_of(checker, request)]
     directory = project_directory(entry.paths[0])
     output = output or os.path.relpath(os.path.join(directory, PROBED))
     configuration = os.path.join(directory, "unknown.yaml")

@@ -184,7 +184,7 @@ def beside_base(surveyed: Sequence[Surveyed], surveyor: Surveyor, old: Revision,
         elif each.topology is None or not old.differs(surveyor.options.root, result.launch_files):
             befores.append(each.topology)
         else:
-            befores.append(_at_home(topology(graphs_of(old.checker, request, every_configuration=True)), old))
+            befores.append(_at_home(topology(graphs_of(old.checker, request)), old))
     return found, befores
 
 
@@ -208,7 +208,7 @@ def base_only(entry: EntryOptions, requests: Sequence[EntryRequest], old: Revisi
     included: set[str] = set()
     for path, request in gone.items():
         if request.at in wanted and not os.path.exists(path):
-            graphs = graphs_of(old.checker, request, every_configuration=True)
+            graphs = graphs_of(old.checker, request)
             found[path] = _at_home(topology(graphs), old), request
             included.update(each.source.path for graph in graphs for each in graph.launch.includes if each.source is not None)
     return [

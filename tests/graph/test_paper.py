@@ -29,7 +29,7 @@ def topology(directory: Path, file: str) -> Topology:
     environment = {"HOME": "/home/user", "PATH": "/usr/bin:/bin"}
     options = Options(frozenset(), (str(directory),), True, environment, str(directory), library=(str(PAPER / "library.json"),))
     at = str(directory / file)
-    return record(graphs_of(EntryChecker(options), EntryRequest(at, at), every_configuration=True))
+    return record(graphs_of(EntryChecker(options), EntryRequest(at, at)))
 
 
 def triples(of: Topology, kind: str = "topic") -> set[tuple[str, str, str]]:

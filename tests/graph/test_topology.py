@@ -31,7 +31,7 @@ def joined(directory: Path, launch: str, packages: Any = None) -> Topology:
     sample.graph(directory, launch, packages or PACKAGES)  # writes the files
     file = directory / "pkg" / "main.launch"
     options = Options(frozenset(), (str(directory),), True, sample.ENVIRONMENT, str(directory), library=(str(directory / "library.json"),))
-    return record(graphs_of(EntryChecker(options), EntryRequest(str(file), str(file)), every_configuration=True))
+    return record(graphs_of(EntryChecker(options), EntryRequest(str(file), str(file))))
 
 
 def test_what_is_said_of_a_connection(tmp_path: Path) -> None:
