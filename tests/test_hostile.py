@@ -8,7 +8,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import resource
 import subprocess
 import sys
 from collections.abc import Callable
@@ -17,6 +16,7 @@ from xml.dom.minidom import parseString
 
 import pytest
 
+from tests.cli.forking import forks
 from tests.cli.running import CLEAN, DOUBLE, PACKAGE, Ran, clean_environment, write
 
 MEMORY = 1 << 30
@@ -27,24 +27,17 @@ FORBIDDEN = re.compile(rb"[\x00-\x09\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\x8b
 NODE = '<node name="{}" pkg="demo" type="talk.py"/>'
 
 
-def limit() -> None:
-    """In the new process: no more than MEMORY."""
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-
-
 def run(directory: Path, *words: str, stdin: bytes = b"") -> Ran:
     """Run launchlint in ``directory`` within the limits; what it prints must be harmless, and no traceback."""
-    done = subprocess.run(
-        [sys.executable, "-m", "launchlint", *words], cwd=directory, env=clean_environment(directory.parent / "cache"), input=stdin,
-        capture_output=True, timeout=SECONDS, check=False, preexec_fn=limit,
-    )  # fmt: skip
-    assert b"Traceback" not in done.stderr
-    assert b"itself failed" not in done.stderr
-    assert b"LL000" not in done.stdout
-    assert FORBIDDEN.search(done.stdout) is None, done.stdout[:2000]
-    assert FORBIDDEN.search(done.stderr) is None, done.stderr[:2000]
-    assert done.returncode in (0, 1, 2)
-    return Ran(done.returncode, done.stdout.decode(), done.stderr.decode())
+    environment = clean_environment(directory.parent / "cache")
+    status, output, errors = forks().run(directory, words, environment, stdin, seconds=SECONDS, memory=MEMORY)
+    assert b"Traceback" not in errors
+    assert b"itself failed" not in errors
+    assert b"LL000" not in output
+    assert FORBIDDEN.search(output) is None, output[:2000]
+    assert FORBIDDEN.search(errors) is None, errors[:2000]
+    assert status in (0, 1, 2)
+    return Ran(status, output.decode(), errors.decode())
 
 
 @pytest.fixture

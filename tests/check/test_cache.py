@@ -24,7 +24,7 @@ from launchlint.workspace.contents import Contents
 from launchlint.workspace.looking import state
 from launchlint.workspace.packages import Packages
 from tests.check.many import many
-from tests.cli.running import PACKAGE, clean_environment, run, write
+from tests.cli.running import PACKAGE, clean_environment, run, run_program, write
 
 
 class Repository:
@@ -53,11 +53,9 @@ class Repository:
             "entry.EntryChecker.check = check\nfrom launchlint.cli import main\n"
             "main(sys.argv[1:], standalone_mode=False)\nprint(count[0])"
         )
-        ran = subprocess.run(
-            [sys.executable, "-c", program, "check", "-q", "--jobs", "1", *words], cwd=self.directory,
-            env=clean_environment(self.cache.parent), capture_output=True, text=True, check=True,
-        )  # fmt: skip
-        return int(ran.stdout)
+        ran = run_program(self.directory, program, "check", "-q", "--jobs", "1", *words, cache=self.cache.parent)
+        assert (ran.status, ran.errors) == (0, "")
+        return int(ran.output)
 
 
 @pytest.fixture

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from tests.cli.ferry import BROKEN, GOOD, HELM, LAUNCH, SEA, Ferry
-from tests.cli.running import clean_environment
+from tests.cli.running import run_program
 
 DOCK = (
     '<launch><node pkg="joy" exec="dock" name="dock"><param from="$(find-pkg-share ferry_bringup)/config/dock{}.yaml"/></node></launch>\n'
@@ -36,12 +34,10 @@ class Counted(Ferry):
             "main(sys.argv[1:], standalone_mode=False)\nprint(count[0])"
         )
         cache = self.directory.parent / f"{self.directory.name}-cache"
-        ran = subprocess.run(
-            [sys.executable, "-c", program, "check", "-q", "--jobs", "1"], cwd=self.directory,
-            env=clean_environment(cache), capture_output=True, text=True, check=True,
-        )  # fmt: skip
+        ran = run_program(self.directory, program, "check", "-q", "--jobs", "1", cache=cache)
+        assert (ran.status, ran.errors) == (0, "")
         assert self.run("check", "--format", "json").output == self.run("check", "--format", "json", "--no-cache").output
-        return int(ran.stdout)
+        return int(ran.output)
 
 
 @pytest.fixture

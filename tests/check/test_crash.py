@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from tests.cli.running import CLEAN, DOUBLE, UNUSED, Ran, clean_environment
+from tests.cli.running import CLEAN, DOUBLE, UNUSED, Ran, run_program
 
 Make = Callable[[Mapping[str, str]], Path]
 
@@ -34,11 +32,7 @@ entry.configurations = configurations
 def run_broken(directory: Path, breakage: str, *words: str) -> Ran:
     """``launchlint WORDS`` after ``breakage`` has been done to it."""
     program = f"import sys\n{breakage}\nfrom launchlint.cli import main\nmain(sys.argv[1:])\n"
-    done = subprocess.run(
-        [sys.executable, "-c", program, *words], cwd=directory, env=clean_environment(directory.parent / "cache"), capture_output=True,
-        text=True, timeout=120, check=False,
-    )  # fmt: skip
-    return Ran(done.returncode, done.stdout, done.stderr)
+    return run_program(directory, program, *words, cache=directory.parent / "cache")
 
 
 def files(make: Make) -> Path:

@@ -6,8 +6,6 @@ Files of tests were written a moment ago, and are then read in any case; here th
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -15,7 +13,7 @@ import pytest
 
 from tests.check import test_cache as changes
 from tests.check.many import many
-from tests.cli.running import PACKAGE, clean_environment, write
+from tests.cli.running import PACKAGE, run_program, write
 
 PROGRAM = """
 import sys
@@ -50,11 +48,9 @@ class Trusting:
 
     def run(self, *words: str) -> tuple[str, list[int]]:
         """What is said; how many entry files are computed, and how many files are read for their digests."""
-        done = subprocess.run(
-            [sys.executable, "-c", PROGRAM, *words], cwd=self.directory, env=clean_environment(self.cache), capture_output=True, text=True,
-            check=True, timeout=120,
-        )  # fmt: skip
-        said, counts = done.stdout.rstrip().rsplit("\n", 1)
+        done = run_program(self.directory, PROGRAM, *words, cache=self.cache)
+        assert done.status == 0, done.errors
+        said, counts = done.output.rstrip().rsplit("\n", 1)
         return said, [int(count) for count in counts.split()]
 
     def agrees(self) -> tuple[list[int], list[int]]:

@@ -9,8 +9,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
+from tests.cli.forking import LONGEST, forks
+
 ROOT = Path(__file__).resolve().parents[2]
 FOREIGN = ("ROS_", "CMAKE_", "XDG_", "NO_COLOR", "FORCE_COLOR", "LAUNCHLINT", "COLUMNS", "PYTHON")
+AT_START = ("PYTHON", "LC_", "LANG")
+"""Variables that count while Python starts."""
 
 CLEAN = '<launch>\n  <node name="talker" pkg="demo" type="talk.py"/>\n</launch>\n'
 DOUBLE = '<launch>\n  <node name="talker" pkg="demo" type="talk.py"/>\n  <node name="talker" pkg="demo" type="talk.py"/>\n</launch>\n'
@@ -39,16 +43,25 @@ def run(directory: Path, *words: str, stdin: str | bytes = "", environment: Mapp
     """Run ``launchlint WORDS`` in ``directory``."""
     data = stdin.encode() if isinstance(stdin, str) else stdin
     variables = clean_environment(directory.parent / f"{directory.name}-cache", **(environment or {}))
-    done = subprocess.run(
-        [sys.executable, "-m", "launchlint", *words],
-        cwd=directory,
-        env=variables,
-        input=data,
-        capture_output=True,
-        timeout=120,
-        check=False,
-    )
-    return Ran(done.returncode, done.stdout.decode(), done.stderr.decode())
+    if any(name.startswith(AT_START) for name in environment or {}):
+        done = subprocess.run(
+            [sys.executable, "-m", "launchlint", *words],
+            cwd=directory,
+            env=variables,
+            input=data,
+            capture_output=True,
+            timeout=LONGEST,
+            check=False,
+        )
+        return Ran(done.returncode, done.stdout.decode(), done.stderr.decode())
+    status, output, errors = forks().run(directory, words, variables, data)
+    return Ran(status, output.decode(), errors.decode())
+
+
+def run_program(directory: Path, program: str, *words: str, cache: Path) -> Ran:
+    """Run a ``program`` in Python that does something to launchlint, and then runs it with ``words``, in ``directory``."""
+    status, output, errors = forks().run(directory, words, clean_environment(cache), program=program)
+    return Ran(status, output.decode(), errors.decode())
 
 
 def write(directory: Path, files: Mapping[str, str]) -> None:

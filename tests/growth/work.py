@@ -8,8 +8,11 @@ import os
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
+from cProfile import Profile
 from importlib import import_module
 from pathlib import Path
+
+from tests.cli.forking import import_everything
 
 
 def calls(words: Sequence[str], directory: Path, bounds: Mapping[str, int]) -> int:
@@ -19,8 +22,9 @@ def calls(words: Sequence[str], directory: Path, bounds: Mapping[str, int]) -> i
     own, by module and name, with the numbers to put in their place: a small workspace lies beyond a small bound as a great one beyond the
     real one. Raises :exc:`RuntimeError` where the command ends by an exception or with a status above 1.
     """
-    from launchlint.cli import main  # in the parent, so that no count has the imports in it
+    from launchlint.cli import main
 
+    import_everything()  # in the parent, so that no count has the imports in it
     reading, writing = os.pipe()
     child = os.fork()
     if child:
@@ -50,20 +54,15 @@ def calls(words: Sequence[str], directory: Path, bounds: Mapping[str, int]) -> i
 
 def _counted(main: object, words: Sequence[str]) -> tuple[int, int]:
     assert callable(main)
-    counted = 0
-
-    def count(frame: object, event: str, argument: object) -> None:
-        nonlocal counted
-        counted += event in ("call", "c_call")
-
+    counter = Profile()
     sys.argv = ["launchlint", *words]
     status: object = 0
     with contextlib.redirect_stdout(io.TextIOWrapper(io.BytesIO())), contextlib.redirect_stderr(io.StringIO()):
-        sys.setprofile(count)
+        counter.enable()
         try:
             main()
         except SystemExit as ended:
             status = ended.code
         finally:
-            sys.setprofile(None)
-    return (status if isinstance(status, int) else 0), counted
+            counter.disable()
+    return (status if isinstance(status, int) else 0), sum(each.callcount for each in counter.getstats())

@@ -22,6 +22,7 @@ from pathlib import Path
 from launchlint.check import run
 from launchlint.cli import main as launchlint
 from launchlint.workspace import contents
+from tests.cli.forking import import_everything
 
 EVERY, STEP, MOST = 8, 9, 500
 """The first moments are all tried, then one in so many, up to the last."""
@@ -86,6 +87,7 @@ def main() -> int:
     warm = sys.argv[1] == "warm"
     base, file, change, *words = sys.argv[2:] if warm else sys.argv[1:]
     run.CACHE_PAYS = 1
+    import_everything()
     events = ["open"]
     if warm:
         contents.RACY = 0
