@@ -32,6 +32,7 @@ def severity(path: str, *, included: tuple[str, ...] = (), entry: str = "launch/
         "backup",
         "worlds_backup",
         "launch.bak",
+        "launch_bkp",
         "unused",
         "old_launch_files",
         "x-deprecated",

@@ -27,6 +27,8 @@ def leads_out(file: str, near: Place, packages: Packages) -> str:
     home = packages.package_of(near.source.file)
     if home is None or not near.source.path.endswith(".py") or is_inside(target, packages.workspaces):
         return ""
+    if up and start == posixpath.dirname(home.directory):  # up from share, in which the package is installed beside others
+        return home.name
     for root in packages.workspaces:
         around = root
         for _ in range(_NEAREST):

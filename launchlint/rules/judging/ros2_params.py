@@ -164,20 +164,32 @@ def never_declared(rule: Rule, view: GraphView) -> Iterator[Finding]:
         if not node.own or not sure or any(each.declaration.transport for each in instance.endpoints):
             continue
         declared = _declared(instance)
+        slips: dict[Origin, list[tuple[str, str]]] = {}
         for name in node.own:
             origin = node.own_origins.get(name)
             if origin is None or name in node.own_shared or name in declared or name in _EVERYWHERE or name.startswith(_OVERRIDES):
                 continue
             near = closest(name, [each for each in declared if each not in node.own])
-            some = sorted(declared)
-            shown = ", ".join(some[:_MOST_NAMES]) + (" …" if len(some) > _MOST_NAMES else "")
-            yield rule.at(
-                origin,
-                f"{instance.name} declares no param {name}",
-                severity=None if near is not None else Severity.INFO,
-                label="given to it, and ignored",
-                notes=(f"{instance.program} declares {shown}" if some else f"{instance.program} declares no params",),
-                help=f"did you mean {near}?" if near is not None else "leave it out",
-                topic=f"{instance.program} {name}",
-                cause=f"{instance.program} {name}",
-            )
+            if near is not None:
+                slips.setdefault(origin, []).append((name, near))
+                continue
+            yield _undeclared(rule, instance, origin, [(name, "")], sorted(declared))
+        for origin, several in slips.items():  # those of one dictionary, which is one place
+            yield _undeclared(rule, instance, origin, several, sorted(declared))
+
+
+def _undeclared(rule: Rule, instance: Instance, origin: Origin, names: list[tuple[str, str]], declared: list[str]) -> Finding:
+    """What is said of params given at one place, each with the one that was probably meant (empty: none is near)."""
+    shown = ", ".join(declared[:_MOST_NAMES]) + (" …" if len(declared) > _MOST_NAMES else "")
+    given_ = " ".join(name for name, _ in names)
+    meant = " and ".join(near for _, near in names if near)
+    return rule.at(
+        origin,
+        f"{instance.name} declares no param{'s' * (len(names) > 1)} {' and '.join(name for name, _ in names)}",
+        severity=None if meant else Severity.INFO,
+        label="given to it, and ignored",
+        notes=(f"{instance.program} declares {shown}" if declared else f"{instance.program} declares no params",),
+        help=f"did you mean {meant}?" if meant else "leave it out",
+        topic=f"{instance.program} {given_}",
+        cause=f"{instance.program} {given_}",
+    )

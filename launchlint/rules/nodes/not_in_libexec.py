@@ -4,7 +4,8 @@ What it does: for each node whose package lies in the workspace, it works out wh
 `setup.py` and `setup.cfg`, which are read and never run. It tells of programs that are installed to another directory than `lib/PKG` (to
 `bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
 files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out. What no part of the package
-is called is told by LL304. All scripts of a `setup.py` that go to another directory are one finding.
+is called is told by LL304. All scripts of a `setup.py` that go to another directory are one finding, and so are those of all packages of a
+workspace whose `setup.py` sends them to the same one.
 
 ## Why it matters
 
@@ -77,15 +78,18 @@ ament_package()
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
+from launchlint.plural import listed
+from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.judging.not_in_libexec import Missing, build_file, missing_programs
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 
+_MOST_NAMED = 3
 RULE = Rule("LL946", "not-in-libexec", Severity.ERROR, roslaunch="refuses")
 
 
@@ -110,13 +114,24 @@ def check(view: LaunchView) -> Iterator[Finding]:
             ),
             help=_help(missing),
             cause=f"{severity.word} {_cause(missing)}",
+            about=(package.name, missing.built or ""),
         )
 
 
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for packages that all lack the same lines of ``setup.cfg``: it names them."""
+    packages = list(dict.fromkeys(each.about[0] for each in findings))
+    if len(packages) < 2:
+        return joined(findings)
+    first = spokesman(findings)
+    message = f"{len(packages)} packages install their programs to {first.about[1]}, and not to lib/PKG: {listed(packages, _MOST_NAMED)}"
+    return joined(findings, first._replace(message=message, help=f"{first.help}, and the same in the others"))
+
+
 def _cause(missing: Missing) -> str:
-    """``setup.cfg`` says of all scripts at once where they are installed."""
+    """``setup.cfg`` says of all scripts at once where they are installed; who leaves it out of one package knows of no other."""
     if missing.built and build_file(missing.package) == "setup.py":
-        return f"{missing.package.name} {missing.built}"
+        return f"setup.py {missing.built}"
     return f"{missing.package.name}/{missing.node.executable}"
 
 

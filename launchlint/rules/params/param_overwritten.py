@@ -4,8 +4,8 @@ Told is what nobody writes on purpose: the same parameter set again to another v
 is included afterwards, or by a YAML file that is loaded afterwards. Silent are the usual ways to override a value: a
 YAML file and single parameters after it, several YAML files from the general to the special, a parameter set after
 the include whose value it replaces, a `~param` of a group that a node sets again, and a second setting under a
-condition. It is an info where an arg chooses the file that is included afterwards: what stands in front of it is for all of these
-files, and the chosen one says what is special.
+condition. It is an info where both are written alike, and only one of them is a text, and where an arg chooses the file
+that is included afterwards: what stands in front of it is for all of these files, and the chosen one says what is special.
 
 What two tests of one name set, LL313 tells. Two included files that disagree about a parameter are told as an info. Three or more values
 of one parameter are one finding. The same two values of the same parameter in several files, which were copied with the mistake in them,
@@ -66,14 +66,14 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if is_same(again.old, again.new):
             continue
         if again.settings is None:
-            yield _of_many(again, _finding(again, Severity.WARNING), values)
+            yield _of_many(again, _finding(again, Severity.INFO if _is_written_alike(again) else Severity.WARNING), values)
             continue
         if id(again.first.place.source) not in launch_files or _is_from_file(again.first, view):
             continue  # a YAML file: what comes after it is meant to override it
         single = id(again.second.place.source) in launch_files and not _is_from_file(again.second, view)
         severity = _severity(again.first, again.second, view, single=single)
         if severity is not None:
-            found = _finding(again, severity)
+            found = _finding(again, Severity.INFO if _is_written_alike(again) else severity)
             if not single:
                 found = found._replace(help="put the <param> behind the <rosparam> that loads the file, or remove it")
             earlier, later = again.settings
@@ -93,6 +93,11 @@ def _of_many(again: SetAgain, found: Finding, values: dict[tuple[str, object], s
     cause = values.setdefault((again.name, again.first.place.key), found.cause)
     values[again.name, again.second.place.key] = cause
     return found._replace(cause=cause)
+
+
+def _is_written_alike(again: SetAgain) -> bool:
+    """Whether one of the two is the text that the other one is written as: ``"true"`` and true differ in their type alone."""
+    return isinstance(again.old, str) != isinstance(again.new, str) and shown(again.old).strip('"') == shown(again.new).strip('"')
 
 
 def _is_from_file(origin: Origin, view: LaunchView) -> bool:

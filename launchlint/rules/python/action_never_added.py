@@ -2,7 +2,8 @@
 
 What it does: it looks for variables of a function that hold a `Node`, an include, an arg or another action of launch, and that nothing in
 the function reads. Where a comment names the variable, as when the line that adds the action has been taken out, it is an information, and
-so it is where more actions of the function are commented out, or left out like this, than are added.
+so it is where more actions of the function are commented out, or left out like this, than are added. The same action, left out in several
+launch files, is one finding.
 
 ## Why it matters
 
@@ -38,9 +39,10 @@ def generate_launch_description():
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NeverAdded
 
@@ -68,4 +70,24 @@ def tell(problem: NeverAdded, view: object) -> Iterator[Finding]:
         cause=f"{bool(why)} {problem.name if problem.commented else problem.together}",
         notes=(why,) if why else (),
         help=f"add {problem.name} to the LaunchDescription, or take it out",
+        about=(f"{problem.callee} {problem.name}",),
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for launch files that leave out the same action: one was made from the other."""
+    groups: list[tuple[set[object], list[Finding]]] = []
+    for finding in findings:
+        names: set[object] = {(finding.severity, name) for name in finding.about} or {finding.key}
+        several = [finding]
+        for group in [each for each in groups if each[0] & names]:
+            groups.remove(group)
+            names |= group[0]
+            several = [*group[1], *several]
+        groups.append((names, several))
+    yield from (joined(several) if len(several) > 1 else several[0] for _, several in groups)
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for all of a function, with what each of them is."""
+    return joined(findings)._replace(about=tuple(dict.fromkeys(name for each in findings for name in each.about)))

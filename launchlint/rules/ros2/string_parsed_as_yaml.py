@@ -2,7 +2,7 @@
 
 What it does: it looks for a param whose value is `$(command …)` of xacro, or of a file with a robot in it, and that does not say
 `type="str"`. In a `<set_parameter>`, which has no type, it is always so. It is a warning where the file has a colon with a blank behind it,
-or a blank with a `#` behind it; else it is information.
+or a blank with a `#` behind it; else it is information. All such params of one file are one finding.
 
 ## Why it matters
 
@@ -82,7 +82,7 @@ def tell(problem: CommandReadAsYaml, view: object) -> Iterator[Finding]:
         ),
         help=advice,
         topic=problem.name,
-        cause=f"{problem.place.source.path} {problem.name}",
+        cause=problem.place.source.path,
     )
 
 
