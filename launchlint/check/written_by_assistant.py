@@ -1,4 +1,4 @@
-"""What MoveIt's Setup Assistant writes into every package it makes: switches that nobody gives, and what is set twice.
+"""What MoveIt's Setup Assistant writes into every package it makes: switches that nobody gives, what is set twice, and the panda.
 
 The assistant keeps what it was told in a file ``.setup_assistant`` at the top of the package. Its launch files offer choices (a fake
 execution, a database) whether or not the files behind them were written, too; and some set a param twice, which it would write again.
@@ -29,6 +29,8 @@ _FILES = late(
     r"(?:demo|demo_gazebo|move_group|moveit_rviz|planning_context|default_warehouse_db)\.launch"
     r"|[\w-]*(?:controller_manager|planning_pipeline|trajectory_execution|sensor_manager|warehouse|warehouse_settings)\.launch\.xml"
 )
+_OF_PANDA = "ompl-chomp_planning_pipeline.launch.xml"
+"""What it writes for any robot as it is for the panda, whose files it names."""
 _DEMOS = frozenset(("demo.launch", "demo_gazebo.launch"))
 """The launch files of the assistant's that set params of nodes."""
 
@@ -42,7 +44,7 @@ def judged_by_assistant(findings: Iterable[Finding], known: Known) -> Iterator[F
             if switches and _is_made(finding, known):
                 given = " ".join(f"{name}:={value}" for name, value in finding.arguments)
                 finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(given)))
-        elif finding.rule == "LL504" and finding.severity is Severity.WARNING and _is_demo(finding) and _is_made(finding, known):
+        elif finding.severity is Severity.WARNING and _would_be_written_again(finding) and _is_made(finding, known):
             finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, AGAIN), cause=f"{finding.cause}; {AGAIN}")
         elif finding.rule == "LL206" and finding.severity is Severity.WARNING and _is_in_file_of_assistant(finding):
             from launchlint.rules.args.unused_arg import name_of
@@ -58,8 +60,9 @@ def _is_in_file_of_assistant(finding: Finding) -> bool:
     return _FILES.fullmatch(finding.location.path.rpartition("/")[2]) is not None
 
 
-def _is_demo(finding: Finding) -> bool:
-    return finding.location.path.rpartition("/")[2] in _DEMOS
+def _would_be_written_again(finding: Finding) -> bool:
+    name = finding.location.path.rpartition("/")[2]
+    return (finding.rule == "LL504" and name in _DEMOS) or (finding.rule == "LL701" and name == _OF_PANDA)
 
 
 def _is_made(finding: Finding, known: Known) -> bool:

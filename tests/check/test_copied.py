@@ -33,3 +33,25 @@ def test_the_packages_of_a_workspace_that_is_overlaid_make_nothing_a_copy(tmp_pa
     assert home is not None
     assert is_from_elsewhere(home, packages) is not overlaid
     assert bool(kept_whole(home, packages)) is not overlaid
+
+
+@pytest.mark.parametrize("where", ["arms", "arms/.git", "list inside", "other people", "submodule"])
+def test_what_a_list_of_sources_names_and_was_checked_in_is_another_project(tmp_path: Path, where: str) -> None:
+    listed = "repositories:\n  arms:\n    type: git\n    url: https://example.org/arms.git\n"
+    files = {
+        "src/arms/arm/package.xml": MANIFEST.format(
+            name="arm", who="b@example.org" if where == "other people" else "a@example.org", more=""
+        ),
+        "src/own/package.xml": MANIFEST.format(name="own", who="b@example.org", more=""),
+    }
+    if where == "submodule":
+        files[".gitmodules"] = '[submodule "arms"]\n\tpath = src/arms\n'
+    else:
+        files["src/arms/robot.repos" if where == "list inside" else "robot.repos"] = listed
+    if where == "arms/.git":
+        files["src/arms/.git/HEAD"] = ""
+    write(tmp_path, files)
+    packages = Packages([str(tmp_path)], {}, explicit=True)
+    home = packages.package_of(str(tmp_path / "src/arms/arm"))
+    assert home is not None
+    assert kept_whole(home, packages) == (str(tmp_path / "src/arms") if where == "arms" else "")

@@ -19,9 +19,11 @@ from launchlint.rules.judging.projects import (
     of_template,
     was_released,
 )
+from launchlint.spelling import folded
 from launchlint.workspace.looking import Looked, names, note, question, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.source_lists import GITMODULES, read_source_lists
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -57,7 +59,8 @@ def kept_whole(home: Package, packages: Packages) -> str:
     Such a directory has what a repository has at its root only, or is called as what the archive of one is unpacked to; or it holds a
     README, and with it a licence of its own, or packages most of which have a page in the wiki of ROS, or one that is called as the
     directory is, by people who fill in what others here leave as ``catkin_create_pkg`` wrote it. And at most a few packages outside
-    of it, which came with it, have its people.
+    of it, which came with it, have its people. So is a directory that was checked in although a list of sources (``*.repos``,
+    ``*.rosinstall``) says which repository to put there: then no package outside of such directories has its people.
     """
     return "" if home.manifest is None else packages.answer(_answers_around, home.directory)
 
@@ -103,6 +106,8 @@ class _Projects:
         self._below = _Below(self._manifests)
         self._found: dict[str, tuple[bool, Looked]] = {}
         self._signs: dict[str, tuple[bool, Looked]] = {}
+        self._lists: tuple[Mapping[str, str], Looked] | None = None
+        self._workspaces = packages.workspaces
 
     def around(self, home: str) -> str:
         """The nearest one that the package in the directory ``home`` lies in; empty: in none."""
@@ -136,6 +141,9 @@ class _Projects:
         people = everybody(within.values())
         if not people:
             return False
+        if self._is_listed(directory):
+            listed = {each for each in self._outside(directory) if self._lies_in_listed(each)}
+            return people.isdisjoint(everybody(manifest for each, manifest in self._outside(directory).items() if each not in listed))
         if self._is_root(directory):
             return self._are_others(directory, people)
         if directory in within or not has_readme(names(directory)):
@@ -151,6 +159,25 @@ class _Projects:
         if mostly_others(outside.values(), people):
             return True
         return mostly_others([manifest for each, manifest in outside.items() if not self._is_in_other(each, directory)], people)
+
+    def _lies_in_listed(self, directory: str) -> bool:
+        """Whether the package lies in a directory of :meth:`_is_listed`."""
+        while any(directory.startswith(f"{root}/") for root in self._roots):
+            if self._is_listed(directory):
+                return True
+            directory = posixpath.dirname(directory)
+        return False
+
+    def _is_listed(self, directory: str) -> bool:
+        """Whether a list outside of ``directory`` names the repository whose files are checked in there; a clone holds ``.git``."""
+        if self._lists is None:
+            self._lists = watched(partial(read_source_lists, self._workspaces))
+        lists, looked = self._lists
+        note(looked)
+        file = lists.get(folded(posixpath.basename(directory)), "")
+        if not file or is_in(file, directory) or posixpath.basename(file) == GITMODULES:
+            return False
+        return ".git" not in names(directory)
 
     def _left_as_made(self, directory: str) -> int:
         """How many packages outside of ``directory`` have nobody's name but what the template has."""

@@ -1,7 +1,7 @@
 """A remap stands below the nodes it was meant for.
 
 Outside a node, a `<remap>` acts on the nodes that come after it in the same group or file, and on nothing above it. All
-remaps below the same nodes are one finding.
+remaps below the same nodes are one finding, and so are those in several files of one directory.
 
 ## Why it matters
 
@@ -32,11 +32,13 @@ The remap does nothing, roslaunch does not say so, and the node talks on the top
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import posixpath
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import ScopedSetting
 from launchlint.rules.edits import fix, move_before, spot
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.reach import settings_of
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
@@ -60,6 +62,15 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
                 fix=_fix(setting, view) if count == 1 else None,
                 cause=" ".join(map(str, setting.before[-1].key)),
             )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for the files of one directory: whoever takes a remap to act on what stands above it does so in each of them."""
+    alike: dict[tuple[Severity, str], list[Finding]] = {}
+    for finding in findings:
+        alike.setdefault((finding.severity, posixpath.dirname(finding.location.path)), []).append(finding)
+    for several in alike.values():
+        yield from [joined(several)] if len({each.location.path for each in several}) > 1 else several
 
 
 def _fix(setting: ScopedSetting, view: LaunchView) -> Fix | None:

@@ -58,6 +58,7 @@ def tell(problem: TextRetyped | NumberStaysText, view: object) -> Iterator[Findi
             related=problem.related,
             notes=("launch reads what composable nodes get itself, by YAML 1.1, where a number with an exponent needs a point and a sign",),
             help=f"write {_with_point(value)}",
+            cause=f"numbers of {problem.origin.place.source.path}",
         )
         return
     becomes = WORDS[problem.type] if problem.type != "bool" else "true" if value in ("y", "Y") else "false"
