@@ -7,7 +7,7 @@ gives in an `OpaqueFunction` is a text: `'false'` is true for Python, too.
 ## Why it matters
 
 Nothing complains: nodes are started always or never, whatever is given on the command line. Where a text or path is put together, Python
-stops with a `TypeError`. Where the value is only printed, or held by a variable that nothing reads, it is a warning.
+stops with a `TypeError`. Where the value is only printed, or held by a variable that nothing reads, it is an information.
 
 ## Example
 
@@ -87,7 +87,7 @@ def tell(problem: ConfigurationAsPythonValue, view: object) -> Iterator[Finding]
     yield RULE.at(
         problem.origin,
         f"{name} {'is a text here, never equal to True or False' if compared else _HAPPENS[problem.use]}",
-        severity=Severity.WARNING if idle else level(problem),
+        severity=Severity.INFO if idle else level(problem),
         label=shown(problem.place.text) if len(problem.place.text) > 200 else "",
         notes=stops("a TypeError") if problem.refused else (note,),
         help="give the substitution itself to an action, or leave this out" if idle else _ADVICE[problem.use],
