@@ -30,17 +30,26 @@ def listed_in(packages: Packages, name: str) -> str | None:
     return packages.once(_listed).get(folded(name))
 
 
-def _listed(packages: Packages) -> Mapping[str, str]:
+@question
+def list_naming(packages: Packages, name: str) -> str:
+    """The list of sources (absolute) that names a repository called ``name``, be it here or not; empty where there is none."""
+    return packages.once(_sources).get(folded(name), "")
+
+
+def _sources(packages: Packages) -> Mapping[str, str]:
     from launchlint.workspace.source_lists import read_source_lists
 
+    return read_source_lists(packages.workspaces)
+
+
+def _listed(packages: Packages) -> Mapping[str, str]:
     here = {
         folded(part)
         for place in packages.places[: len(packages.workspaces)]
         for package in place.everything
         for part in package.directory.removeprefix(place.root).split(os.sep)
     }
-    listed = read_source_lists(packages.workspaces)
-    return {each: file for each, file in listed.items() if each not in here}
+    return {each: file for each, file in packages.once(_sources).items() if each not in here}
 
 
 @question

@@ -19,11 +19,11 @@ from launchlint.rules.judging.projects import (
     of_template,
     was_released,
 )
-from launchlint.spelling import folded
 from launchlint.workspace.looking import Looked, names, note, question, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
-from launchlint.workspace.source_lists import GITMODULES, read_source_lists
+from launchlint.workspace.source_lists import GITMODULES
+from launchlint.workspace.surveys import list_naming
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -106,8 +106,7 @@ class _Projects:
         self._below = _Below(self._manifests)
         self._found: dict[str, tuple[bool, Looked]] = {}
         self._signs: dict[str, tuple[bool, Looked]] = {}
-        self._lists: tuple[Mapping[str, str], Looked] | None = None
-        self._workspaces = packages.workspaces
+        self._packages = packages
 
     def around(self, home: str) -> str:
         """The nearest one that the package in the directory ``home`` lies in; empty: in none."""
@@ -170,11 +169,7 @@ class _Projects:
 
     def _is_listed(self, directory: str) -> bool:
         """Whether a list outside of ``directory`` names the repository whose files are checked in there; a clone holds ``.git``."""
-        if self._lists is None:
-            self._lists = watched(partial(read_source_lists, self._workspaces))
-        lists, looked = self._lists
-        note(looked)
-        file = lists.get(folded(posixpath.basename(directory)), "")
+        file = self._packages.answer(list_naming, posixpath.basename(directory))
         if not file or is_in(file, directory) or posixpath.basename(file) == GITMODULES:
             return False
         return ".git" not in names(directory)
