@@ -42,7 +42,7 @@ COLCON = Way("colcon", (PACKAGE_FILE,), ("COLCON_IGNORE", "AMENT_IGNORE"), (), T
 # How often one directory is entered through different symbolic links before further ones are left alone: links among a few
 # directories can otherwise spell a number of paths that is exponential in the number of directories.
 _MOST_ENTRANCES = 16
-_MOST_DIRECTORIES = 200_000
+_MOST_DIRECTORIES = 100_000
 
 
 TYPE_CHECKING = False
