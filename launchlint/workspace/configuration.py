@@ -169,6 +169,10 @@ class _Reader:
                 self.document.fail(
                     each, f"there is no directory {shown(text)}, so no package can be found in it; correct the path or remove it"
                 )
+            if text and os.path.realpath(os.path.join(self.directory, text)) == os.sep != self.directory:
+                self.document.fail(
+                    each, f"{shown(text)} is the whole disk, which takes too long to look through; name the directory of the packages"
+                )
         return {"workspace": self._paths(node, "workspace")}
 
     def library(self, node: Node) -> dict[str, Any]:
