@@ -44,7 +44,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, fix, remove_element, spot
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
@@ -95,10 +95,7 @@ def together(findings: Sequence[Finding]) -> Finding:
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for the same args, declared twice in the same words in several files: the block was copied."""
-    alike: dict[tuple[Severity, str, str], list[Finding]] = {}
-    for finding in findings:
-        alike.setdefault((finding.severity, finding.message, finding.location.text.strip()), []).append(finding)
-    for several in alike.values():
+    for several in alike(findings, lambda each: (each.message, each.location.text.strip())):
         yield from [joined(several)] if len(several) > 1 else several
 
 

@@ -58,7 +58,7 @@ from launchlint.evaluate.problems import IncludeMissingArg
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, append_child, fix, spot
 from launchlint.rules.judging.broken_call import lacking_call
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Origin
@@ -128,10 +128,8 @@ def _several(names: list[str], problems: list[IncludeMissingArg], view: LaunchVi
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for the includes of one file that leave out the same: whoever wrote it did not know of the arg."""
-    alike: dict[tuple[Severity, str, str], list[Finding]] = {}
-    for finding in findings:
-        alike.setdefault((finding.severity, finding.location.path, finding.topic), []).append(finding)
-    yield from (joined(several) if len(several) > 1 else several[0] for several in alike.values())
+    for several in alike(findings, lambda each: (each.location.path, each.topic)):
+        yield joined(several) if len(several) > 1 else several[0]
 
 
 def _fix(problem: IncludeMissingArg, view: LaunchView, name: str) -> Fix | None:

@@ -62,7 +62,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, passed_under, spot
 from launchlint.rules.judging.broken_call import MOVE, undeclared_call
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
@@ -109,10 +109,7 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for the same args that one file passes, in the same words, to several files that do not declare them."""
-    alike: dict[tuple[Severity, str, str, str], list[Finding]] = {}
-    for finding in findings:
-        alike.setdefault((finding.severity, finding.location.path, finding.location.text.strip(), finding.help), []).append(finding)
-    for several in alike.values():
+    for several in alike(findings, lambda each: (each.location.path, each.location.text.strip(), each.help)):
         yield joined(several) if len(several) > 1 else several[0]
 
 

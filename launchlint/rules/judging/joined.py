@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
-from launchlint.finding import Edit, Finding, Fix, Related
+from launchlint.finding import Edit, Finding, Fix, Related, Severity
 from launchlint.late import late
 
 _ALIKE = ", and the others alike"
@@ -37,6 +37,14 @@ def joined(findings: Sequence[Finding], first: Finding | None = None) -> Finding
         entries=max(finding.entries for finding in findings),
         fix=_joined_fix([first, *others]),
     )
+
+
+def alike(findings: Iterable[Finding], kind: Callable[[Finding], object]) -> Iterable[list[Finding]]:
+    """``findings`` of one level and one ``kind`` each, in the order in which the first of each comes."""
+    found: dict[tuple[Severity, object], list[Finding]] = {}
+    for finding in findings:
+        found.setdefault((finding.severity, kind(finding)), []).append(finding)
+    return found.values()
 
 
 def _said_of(finding: Finding) -> tuple[str, int]:

@@ -85,7 +85,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.plural import listed
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
@@ -195,10 +195,7 @@ def together(findings: Sequence[Finding]) -> Finding:
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for packages that leave out directories of the same names: several forget it in the same way."""
-    alike: dict[tuple[Severity, object], list[Finding]] = {}
-    for finding in findings:
-        alike.setdefault((finding.severity, finding.about[1:] or finding.key), []).append(finding)
-    for several in alike.values():
+    for several in alike(findings, lambda each: each.about[1:] or each.key):
         told = joined(several) if len(several) > 1 else several[0]
         packages = list(dict.fromkeys(each.about[0] for each in several if each.about))
         if len(packages) > 1:

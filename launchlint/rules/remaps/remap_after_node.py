@@ -38,7 +38,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import ScopedSetting
 from launchlint.rules.edits import fix, move_before, spot
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.reach import settings_of
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
@@ -66,10 +66,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for the files of one directory: whoever takes a remap to act on what stands above it does so in each of them."""
-    alike: dict[tuple[Severity, str], list[Finding]] = {}
-    for finding in findings:
-        alike.setdefault((finding.severity, posixpath.dirname(finding.location.path)), []).append(finding)
-    for several in alike.values():
+    for several in alike(findings, lambda each: posixpath.dirname(each.location.path)):
         yield from [joined(several)] if len({each.location.path for each in several}) > 1 else several
 
 

@@ -66,7 +66,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.plural import listed
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.name_places import is_inside
 from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
 from launchlint.rules.judging.other_file import root_of
@@ -225,10 +225,7 @@ def _namespace_of_whole(miss: _Miss) -> str:
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     """One for programs of one package of which the same remap is told, written alike: one launch file was made from the other."""
-    alike: dict[tuple[Severity, tuple[str, ...], str], list[Finding]] = {}
-    for finding in findings:
-        alike.setdefault((finding.severity, finding.about, finding.location.text), []).append(finding)
-    for several in alike.values():
+    for several in alike(findings, lambda each: (each.about, each.location.text)):
         yield from [joined(several)] if len(several) > 1 and several[0].about else several
 
 
