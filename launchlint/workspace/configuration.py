@@ -165,11 +165,12 @@ class _Reader:
 
     def workspace(self, node: Node) -> dict[str, Any]:
         for text, each in self.document.texts(node, "workspace"):
-            if text and not os.path.isdir(os.path.join(self.directory, text)):
+            place = os.path.join(self.directory, text)
+            if text and not os.path.isdir(place):
                 self.document.fail(
                     each, f"there is no directory {shown(text)}, so no package can be found in it; correct the path or remove it"
                 )
-            if text and os.path.realpath(os.path.join(self.directory, text)) == os.sep != self.directory:
+            if text and self.directory != os.sep and os.path.realpath(place) == os.sep:
                 self.document.fail(
                     each, f"{shown(text)} is the whole disk, which takes too long to look through; name the directory of the packages"
                 )

@@ -141,8 +141,8 @@ class _Projects:
         if not people:
             return False
         if self._is_listed(directory):
-            listed = {each for each in self._outside(directory) if self._lies_in_listed(each)}
-            return people.isdisjoint(everybody(manifest for each, manifest in self._outside(directory).items() if each not in listed))
+            outside = self._outside(directory)
+            return people.isdisjoint(everybody(manifest for each, manifest in outside.items() if not self._lies_in_listed(each)))
         if self._is_root(directory):
             return self._are_others(directory, people)
         if directory in within or not has_readme(names(directory)):
