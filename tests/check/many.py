@@ -5,7 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.cli.running import PACKAGE, write
+from tests.cli.running import PACKAGE, run_program, write
+
+COUNTED = """
+import sys
+from launchlint.check.entry import EntryChecker
+from launchlint.cli import main
+
+real, count = EntryChecker.check, 0
+
+def check(self, request):
+    global count
+    count += 1
+    return real(self, request)
+
+EntryChecker.check = check
+main(["check", "-q", "--jobs", "1", *sys.argv[1:]], standalone_mode=False)
+print(count)
+"""
+
+
+def computed(directory: Path, *words: str, cache: Path) -> int:
+    """How many entry files of a repository are computed anew in one run with the cache."""
+    ran = run_program(directory, COUNTED, *words, cache=cache)
+    assert (ran.status, ran.errors) == (0, "")
+    return int(ran.output)
 
 
 def many(directory: Path, count: int = 120) -> Path:

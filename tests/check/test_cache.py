@@ -23,8 +23,8 @@ from launchlint.workspace import contents, text_parts
 from launchlint.workspace.contents import Contents
 from launchlint.workspace.looking import state
 from launchlint.workspace.packages import Packages
-from tests.check.many import many
-from tests.cli.running import PACKAGE, clean_environment, run, run_program, write
+from tests.check.many import computed, many
+from tests.cli.running import PACKAGE, clean_environment, run, write
 
 
 class Repository:
@@ -47,15 +47,7 @@ class Repository:
 
     def computed(self, *words: str) -> int:
         """How many entry files are computed anew in one run with the cache."""
-        program = (
-            "import sys\nimport launchlint.check.entry as entry\nreal, count = entry.EntryChecker.check, [0]\n"
-            "def check(self, request):\n    count[0] += 1\n    return real(self, request)\n"
-            "entry.EntryChecker.check = check\nfrom launchlint.cli import main\n"
-            "main(sys.argv[1:], standalone_mode=False)\nprint(count[0])"
-        )
-        ran = run_program(self.directory, program, "check", "-q", "--jobs", "1", *words, cache=self.cache.parent)
-        assert (ran.status, ran.errors) == (0, "")
-        return int(ran.output)
+        return computed(self.directory, *words, cache=self.cache.parent)
 
 
 @pytest.fixture

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.check.many import computed
 from tests.cli.ferry import BROKEN, GOOD, HELM, LAUNCH, SEA, Ferry
-from tests.cli.running import run_program
 
 DOCK = (
     '<launch><node pkg="joy" exec="dock" name="dock"><param from="$(find-pkg-share ferry_bringup)/config/dock{}.yaml"/></node></launch>\n'
@@ -27,17 +27,9 @@ class Counted(Ferry):
 
     def computed(self) -> int:
         """How many entry files are computed anew in one run with the cache; what is told must be what is told without it."""
-        program = (
-            "import sys\nimport launchlint.check.entry as entry\nreal, count = entry.EntryChecker.check, [0]\n"
-            "def check(self, request):\n    count[0] += 1\n    return real(self, request)\n"
-            "entry.EntryChecker.check = check\nfrom launchlint.cli import main\n"
-            "main(sys.argv[1:], standalone_mode=False)\nprint(count[0])"
-        )
-        cache = self.directory.parent / f"{self.directory.name}-cache"
-        ran = run_program(self.directory, program, "check", "-q", "--jobs", "1", cache=cache)
-        assert (ran.status, ran.errors) == (0, "")
+        count = computed(self.directory, cache=self.directory.parent / f"{self.directory.name}-cache")
         assert self.run("check", "--format", "json").output == self.run("check", "--format", "json", "--no-cache").output
-        return int(ran.output)
+        return count
 
 
 @pytest.fixture
