@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -25,15 +25,37 @@ from launchlint.check.options import EntryRequest
 from launchlint.check.own_code import own_code
 from launchlint.check.rows import BROKEN, SEAL, Row, Rows, dump, forget_oldest, sealed
 from launchlint.check.surroundings import Surroundings, user
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.contents import Contents
 from launchlint.workspace.looking import PART, QUESTION, state
 from launchlint.workspace.questions import answer
-from launchlint.workspace.states import Look, Looks, Shared, States
+from launchlint.workspace.states import Answered, Look, Looks, Shared, States
 from launchlint.workspace.text_parts import part_state
 
 _CONTENTS_END = ".contents.json"
+_LOOKS = 2
+"""Where a row of results has its looks: behind files and variables, before programs and the result."""
 _HELD = "rows"
+_HOLDING = ("entries", "files", "shared", "groups")
+"""Tables of rows of which the stamp of the workspaces may tell."""
 _ANSWERS = "answers"
+_PROGRAMS = "programs"
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.knowledge.own import OwnSources
+    from launchlint.knowledge.programs import Digest
+
+
+class Hang(NamedTuple):
+    """What the row of a result hangs on that has this ``seal``, as it is written; ``said``: what the stamp of the workspaces tells."""
+
+    seal: str
+    dependencies: Any
+    variables: Any
+    looks: Any
+    programs: Any
+    said: tuple[Look, ...]
 
 
 class Cache:
@@ -42,57 +64,87 @@ class Cache:
     def __init__(self, directory: str, checker: EntryChecker) -> None:
         held = remember(directory, checker)
         self._session = checker.session
-        self._variables = checker.options.variables
+        self.variables = checker.options.variables
         self._own = checker.own
         self._held = held
-        self._states = checker.states = States(self._state)
+        self.states = checker.states = States(self._state, self._kept_answer)
         if self._own is not None:
-            self._own.use(self._states)
+            self._own.use(self.states)
         self._digests: dict[str, str] = {}
         self._programs: dict[tuple[str, ...], str] = {}
         self._shared: dict[str, bool] = {}
         self._files: dict[str, FileResult | None] = {}
         self._fetched: dict[str, dict[str, Row | None]] = {"files": {}, "shared": {}, "said": {}}
         self._packages = checker.packages
-        self._surroundings = Surroundings(checker.options, checker.packages, held, held.version)
-        name = self._surroundings.name
+        self.surroundings = Surroundings(checker.options, checker.packages, held, held.version)
+        name = self.surroundings.name
         self._rows = Rows(directory, None if name is None else f"{name}.sqlite")
         self._held_before = self._read_held()
         self._answers = self._read_answers()
+        self._kept_programs: dict[str, dict[str, Digest]] | None = None
         self._holding: set[str] = set()
+        self._held_written = self._held_before
+        self._true: dict[str, Row] = {}
+        self._given: dict[str, tuple[str, list[str]]] = {}
+        self._shared_now: dict[str, list[Look]] = {}
+        self._stored: dict[str, Hang] = {}
 
     def look_up(self, requests: Sequence[EntryRequest]) -> list[EntryResult | None]:
         """For each request its result, where it is known and still true."""
-        keys = [_key(request) if _is_plain(request) else "" for request in requests]
+        keys = [key_of(request) if is_plain(request) else "" for request in requests]
         rows = dict(self._rows.values("entries", keys))
-        self._fetch_for(rows)
+        self.fetch_for("entries", rows)
         fine_of = ReadOnce()
         return [self._look_up(request, key, rows.get(key), fine_of) for request, key in zip(requests, keys, strict=True)]
 
     def _look_up(self, request: EntryRequest, key: str, row: Row | None, fine_of: ReadOnce) -> EntryResult | None:
-        if row is None:
+        if row is None or not self.is_true("entries", key, row):
             return None
+        result = self._result(request, row, fine_of)
+        if result is not None:
+            self._true[key] = row
+        return result
+
+    def is_true(self, table: str, key: str, row: Row) -> bool:
+        """Whether all is as it was, on which a row of results hangs."""
         try:
-            dependencies, variables, looks, programs, entry = row.value
-            if any(self._variables.get(name) != text for name, text in variables):
-                return None
-            if any(self._digest(path) != known for path, known in dependencies) or not self._holds("entries", key, row, *looks):
-                return None
-            if any(self._program(ware, package, table, name) != known for ware, package, table, name, known in programs):
-                return None
+            dependencies, variables, looks, programs, _ = row.value
+            return (
+                all(self.variables.get(name) == text for name, text in variables)
+                and all(self.digest(path) == known for path, known in dependencies)
+                and self._holds(table, key, row, *looks)
+                and all(self._program(ware, package, table, name) == known for ware, package, table, name, known in programs)
+            )
+        except BROKEN:
+            return False
+
+    def results(self, requests: Mapping[str, EntryRequest], seals: Mapping[str, str]) -> list[EntryResult] | None:
+        """What is kept of ``requests``, by their keys, of which it is known that all is true that has these ``seals``; else None."""
+        rows = dict(self._rows.values("entries", list(requests)))
+        if any(key not in rows or rows[key].seal != seals[key] for key in requests):
+            return None
+        self._fetch("files", _gathered(rows.values(), lambda value: names_of(value[-1])))
+        fine_of = ReadOnce()
+        found = [self._result(request, rows[key], fine_of) for key, request in requests.items()]
+        return None if None in found else [each for each in found if each is not None]
+
+    def _result(self, request: EntryRequest, row: Row, fine_of: ReadOnce) -> EntryResult | None:
+        """What is in a row, and in those of the files of which it is made, where these are true."""
+        try:
+            entry = row.value[-1]
             files = {name: file for name in names_of(entry) if (file := self._file(name)) is not None}
             return entry_from_json(entry, request, files, fine_of)
         except BROKEN:
             return None
 
-    def _fetch_for(self, rows: Mapping[str, Row]) -> None:
-        """Fetch at once what these rows of entries hang on."""
-        entries = list(rows.values())
-        self._fetch("files", _gathered(entries, lambda value: names_of(value[-1])))
+    def fetch_for(self, table: str, rows: Mapping[str, Row]) -> None:
+        """Fetch at once what these rows of results hang on."""
+        if table == "entries":
+            self._fetch("files", _gathered(rows.values(), lambda value: names_of(value[-1])))
         files = self._fetched["files"]
-        names = _gathered(entries, lambda value: value[2][1]) | _gathered(files.values(), lambda value: value[1][1])
+        names = _gathered(rows.values(), lambda value: value[_LOOKS][1]) | _gathered(files.values(), lambda value: value[1][1])
         self._fetch("shared", names.union(*(names for _, names in self._answers.values())))
-        tables = {"entries": rows, "files": files, "shared": self._fetched["shared"]}
+        tables = {table: rows, "files": files, "shared": self._fetched["shared"]}
         self._fetch("said", [_of(table, key) for table, known in tables.items() for key, row in known.items() if self._is_to_ask(row)])
 
     def _is_to_ask(self, row: Row | None) -> bool:
@@ -110,19 +162,54 @@ class Cache:
             self._fetch(table, (key,))
         return self._fetched[table][key]
 
-    def _digest(self, path: str) -> str:
+    def _program(self, *program: str) -> str:
+        """What is known of a program, as a digest; empty where that is nothing."""
+        if program not in self._programs:
+            ware, package, table, name = program
+            if self._own is not None and self._kept_programs is None:
+                self._kept_programs = self._read_programs(self._own)
+            self._programs[program] = "" if self._own is None else self._own.of(ware).digest((package, table, name))
+        return self._programs[program]
+
+    def hang_of(self, key: str) -> Hang | None:
+        """What the result of an entry file hangs on that was looked up, or stored, in this run; None where it is not kept."""
+        row = self._true.get(key)
+        if row is None:
+            return self._stored.get(key)
+        said = self._row("said", _of("entries", key))
+        try:
+            files, variables, looks, programs, _ = row.value
+            if said is None or said.value[0] != looks[-1]:
+                return None
+            return Hang(row.seal, files, variables, looks, programs, tuple((path, self.states.of(path)) for path in said.value[1]))
+        except BROKEN:
+            return None
+
+    def looks_of(self, hangs: Iterable[Hang]) -> Iterator[Look]:
+        """All looks that rows of results hang on; but those that the stamp tells of."""
+        names: set[str] = set()
+        questions: set[str] = set()
+        programs: set[tuple[str, ...]] = set()
+        for hang in hangs:
+            yield from hang.looks[0]
+            names.update(hang.looks[1])
+            questions.update(question for question, _ in hang.looks[2])
+            programs.update(tuple(each[:4]) for each in hang.programs)
+        for question in questions:
+            names.update((self._given.get(question) or self._answers[question])[1])
+        for name in names:
+            row = self._row("shared", name)
+            yield from self._shared_now[name] if name in self._shared_now or row is None else row.value
+        for ware, package, table, name in programs:
+            if self._own is not None:
+                yield from self._own.of(ware).looked((package, table, name))
+
+    def digest(self, path: str) -> str:
         """As that of what the session reads of a file, which is not read where it is the one that was read before."""
         known = self._digests.get(path)
         if known is None:
             known = self._digests[path] = self._held.sha1(path) or self._session.read(path).digest
         return known
-
-    def _program(self, *program: str) -> str:
-        """What is known of a program, as a digest; empty where that is nothing."""
-        if program not in self._programs:
-            ware, package, table, name = program
-            self._programs[program] = "" if self._own is None else self._own.of(ware).digest((package, table, name))
-        return self._programs[program]
 
     def _file(self, key: str) -> FileResult | None:
         """The result of one launch file, where it is known and still true."""
@@ -133,19 +220,24 @@ class Cache:
                 known, looks, told = row.value
                 result = file_from_json(told)
                 path = os.path.abspath(os.path.join(self._session.root, result.path))
-                if self._digest(path) == known and self._holds("files", key, row, *looks):
+                if self.digest(path) == known and self._holds("files", key, row, *looks):
                     self._files[key] = result
         return self._files[key]
 
-    def _holds(self, table: str, key: str, row: Row, looks: Iterable[Look], shared: Iterable[str], answers: Iterable[Look]) -> bool:
-        """Whether all is as it was, where one result looked around, and where it did together with others, and so are all answers."""
+    def _holds(
+        self, table: str, key: str, row: Row, looks: Iterable[Look], shared: Iterable[str], answers: Iterable[Look], told: str
+    ) -> bool:
+        """Whether all is as it was, where one result looked around, and where it did together with others, and so are all answers.
+
+        ``told``: the digest of what the stamp tells of, where the row has it: what is kept of that may be of another moment.
+        """
         if not all(map(self._shared_holds, shared)):
             return False
-        if any(self._states.of(path) != known for several in (looks, answers) for path, known in several):
+        if any(self.states.of(path) != known for several in (looks, answers) for path, known in several):
             return False
         if self._is_to_ask(row):
             said = self._row("said", _of(table, key))
-            if said is None or said.value[0] != _states_digest(said.value[1], self._states):
+            if said is None or said.value[0] != _states_digest(said.value[1], self.states) or said.value[0] != (told or said.value[0]):
                 return False
         self._holding.add(row.seal)
         return True
@@ -153,7 +245,7 @@ class Cache:
     def _shared_holds(self, name: str) -> bool:
         if name not in self._shared:
             row = self._row("shared", name)
-            self._shared[name] = row is not None and self._holds("shared", name, row, row.value, (), ())
+            self._shared[name] = row is not None and self._holds("shared", name, row, row.value, (), (), "")
         return self._shared[name]
 
     def _read_answers(self) -> dict[str, tuple[str, list[str]]]:
@@ -166,15 +258,42 @@ class Cache:
 
     def _answer(self, question: str) -> str:
         """The state of an answer: as it was given, where all that it hangs on is as it was; else as it is given now."""
+        known = self._kept_answer(question)
+        return answer(self._packages, question) if known is None else known
+
+    def _kept_answer(self, question: str) -> str | None:
+        """The state of an answer that was given, where all that it hangs on is as it was."""
         known = self._answers.get(question)
-        return known[0] if known is not None and all(map(self._shared_holds, known[1])) else answer(self._packages, question)
+        return known[0] if known is not None and all(map(self._shared_holds, known[1])) else None
+
+    def _read_programs(self, own: OwnSources) -> dict[str, dict[str, Digest]]:
+        """The digests of programs that an earlier run has kept, which are taken."""
+        from launchlint.knowledge.programs import Digest
+
+        found: dict[str, dict[str, Digest]] = {}
+        for _, row in self._rows.values("held", (_PROGRAMS,)):
+            with suppress(*BROKEN):
+                for ware, digests in row.value.items():
+                    read = {
+                        name: Digest(digest, tuple((path, known) for path, known in looks)) for name, (digest, looks) in digests.items()
+                    }
+                    own.of(ware).remember(read)
+                    found[ware] = read
+        return found
+
+    def _now_known(self) -> dict[str, str]:
+        """The row of all digests of programs that were asked for, where they are others."""
+        if self._own is None or self._kept_programs is None:
+            return {}
+        known = {each.middleware: each.digests for each in self._own.all if each.digests}
+        return {} if known == self._kept_programs else {_PROGRAMS: sealed(_PROGRAMS, known)}
 
     def _read_held(self) -> frozenset[str]:
         """The seals of the rows that held when the workspaces had this stamp."""
         for _, row in self._rows.values("held", (_HELD,)):
             with suppress(*BROKEN):
                 stamp, seals = row.value
-                if stamp == self._surroundings.stamp:
+                if stamp == self.surroundings.stamp:
                     return frozenset(seals.split())
         return frozenset()
 
@@ -183,7 +302,7 @@ class Cache:
         if path.startswith(QUESTION):
             return self._answer(path)
         if PART not in path:
-            known = self._surroundings.state(path)
+            known = self.surroundings.state(path)
             return state(path) if known is None else known
         file, _, part = path.partition(PART)
         try:
@@ -199,27 +318,30 @@ class Cache:
 
         def put(table: str, key: str, value: Any, said: Sequence[Look]) -> None:
             new[table][key] = sealed(key, value)
-            paths = [path for path, _ in said]
-            new["said"][_of(table, key)] = sealed(_of(table, key), [_digest_of(said), paths])
+            new["said"][_of(table, key)] = sealed(_of(table, key), _with_digest(said))
 
         def share(shared: Iterable[Shared]) -> list[str]:
             for each in shared:
                 if each.name not in new["shared"]:
                     unsaid, said = self._parted(each.looks)
                     put("shared", each.name, unsaid, said)
+                    self._shared_now[each.name] = unsaid
             return [each.name for each in shared]
+
+        def give(each: Answered) -> None:
+            if each.question not in given and (each.shared or self._kept_answer(each.question) != each.state):
+                given[each.question] = each.state, share(each.shared)
 
         def around(looks: Looks) -> tuple[list[Any], list[Look]]:
             for each in looks.answers:
-                if each.question not in given:
-                    given[each.question] = each.state, share(each.shared)
+                give(each)
             unsaid, said = self._parted(looks.own)
-            return [unsaid, share(looks.shared), [each[:2] for each in looks.answers]], said
+            return [unsaid, share(looks.shared), [each[:2] for each in looks.answers], digest_of(said)], said
 
-        given: dict[str, tuple[str, list[str]]] = {}
+        given = self._given
         try:
             for result in results:
-                if not _is_plain(result.request) or _has_crashed(result):
+                if not is_plain(result.request) or _has_crashed(result):
                     continue
                 digests = dict(result.dependencies)
                 for file in result.files:
@@ -228,24 +350,37 @@ class Cache:
                         looks, said = around(file.looks)
                         put("files", file.key, [content, looks, file_to_json(file)], said)
                 looks, said = around(result.looks)
-                value = [result.dependencies, result.variables, looks, result.programs, entry_to_json(result)]
-                put("entries", _key(result.request), value, said)
+                key = key_of(result.request)
+                hang = Hang("", result.dependencies, result.variables, looks, result.programs, tuple(said))
+                put("entries", key, [*hang[1:-1], entry_to_json(result)], said)
+                self._stored[key] = hang._replace(seal=new["entries"][key][:SEAL])
             for packages in (self._packages, self._packages.colcon):
-                for each in self._states.answered(packages.answers()):  # asked again, or for the first time
-                    given[each.question] = each.state, share(each.shared)
+                for each in self.states.answered(packages.answers()):  # asked again, or for the first time
+                    give(each)
         except BROKEN:
             return
         held = {**self._now_holding(new), **self._now_answered(given)}
         gone = [name for name, holds in self._shared.items() if not holds]
         self._rows.write({**new, "held": held}, {"shared": gone, "said": [_of("shared", name) for name in gone]})
 
+    def rows(self, table: str, keys: Sequence[str]) -> dict[str, Row]:
+        """The rows of a table that are what was written, by their keys."""
+        return dict(self._rows.values(table, keys))
+
+    def write(self, rows: Mapping[str, Mapping[str, str]], said: Mapping[str, Sequence[Look]], gone: Mapping[str, Iterable[str]]) -> None:
+        """Keep ``rows``, as :func:`sealed` makes them, by table and key, and what the stamp tells of groups among them."""
+        told = {_of("groups", key): sealed(_of("groups", key), _with_digest(looks)) for key, looks in said.items()}
+        held = {**rows.get("held", {}), **self._now_holding(rows), **self._now_known()}
+        self._rows.write({**rows, "said": told, "held": held}, gone)
+
     def _now_holding(self, new: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
         """The row that says which rows hold, where that is another one."""
+        self._holding.update(row[:SEAL] for table, rows in new.items() if table in _HOLDING for row in rows.values())
         seals = self._held_before | self._holding
-        seals |= {row[:SEAL] for table, rows in new.items() if table != "said" for row in rows.values()}
-        if seals == self._held_before:
+        if seals == self._held_written:
             return {}
-        return {_HELD: sealed(_HELD, [self._surroundings.stamp, " ".join(sorted(seals))])}
+        self._held_written = seals
+        return {_HELD: sealed(_HELD, [self.surroundings.stamp, " ".join(sorted(seals))])}
 
     def _now_answered(self, given: Mapping[str, tuple[str, list[str]]]) -> dict[str, str]:
         """The row of all answers, where some were ``given`` in this run."""
@@ -266,7 +401,7 @@ class Cache:
         return unsaid, said
 
     def _says(self, path: str, state: str) -> bool:
-        return self._states.of(path) == state if path.startswith(QUESTION) else self._surroundings.say(path, state)
+        return self.states.of(path) == state if path.startswith(QUESTION) else self.surroundings.say(path, state)
 
     def close(self) -> None:
         """Close the database."""
@@ -288,16 +423,22 @@ def _of(table: str, key: str) -> str:
     return f"{table} {key}"
 
 
+def _with_digest(looks: Sequence[Look]) -> list[Any]:
+    """What is kept of what the stamp tells: one digest of all states, and the paths."""
+    return [digest_of(looks), [path for path, _ in looks]]
+
+
 def _states_digest(paths: Iterable[str], states: States) -> str:
-    return _digest_of((path, states.of(path)) for path in paths)
+    return digest_of((path, states.of(path)) for path in paths)
 
 
-def _digest_of(looks: Iterable[Look]) -> str:
+def digest_of(looks: Iterable[Look]) -> str:
+    """Equal for equal states at equal places."""
     text = "\0".join(f"{path}\0{state}" for path, state in looks)
     return hashlib.sha1(text.encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
-def _is_plain(request: EntryRequest) -> bool:
+def is_plain(request: EntryRequest) -> bool:
     """Whether the file is judged as what it is; text that stands in for another file is not kept."""
     return request.file == request.at
 
@@ -307,7 +448,8 @@ def _has_crashed(result: EntryResult) -> bool:
     return any(finding.rule == INTERNAL_ERROR for finding in findings)
 
 
-def _key(request: EntryRequest) -> str:
+def key_of(request: EntryRequest) -> str:
+    """The key of the row that has the result of a request."""
     return dump([request.file, request.at, request.arguments, request.declared])
 
 

@@ -9,7 +9,7 @@ from contextlib import suppress
 from launchlint.check.options import EntryRequest
 from launchlint.evaluate.session import Session
 from launchlint.named_tuple import NamedTuple
-from launchlint.workspace.discovery import PYTHON_END, is_program
+from launchlint.workspace.discovery import PYTHON_END, absolute, is_program
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def _found(request: EntryRequest, kind: str, find: Callable[[str, bytes], Made |
     held = session.packages.held
     if held is not None and request.file == request.at:
         with suppress(OSError):
-            file = os.path.abspath(request.file)
+            file = absolute(request.file, os.getcwd())
             found: Made | None = held.fact(file, kind, lambda data: find(file, data), _same, _same)
             return found
     data = session.read(request.file).data

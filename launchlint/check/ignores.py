@@ -23,6 +23,11 @@ class PerFileIgnores:
         self._root = root
         self._known: dict[str, frozenset[str]] = {}
 
+    @property
+    def written(self) -> object:
+        """Equal for equal settings."""
+        return (sorted(self._rules.items()), self._directory, self._root)
+
     def off(self, path: str) -> frozenset[str]:
         """IDs of the rules that are off for the file that findings call ``path``."""
         if not self._rules:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping, Set
 from functools import cached_property
 
+from launchlint.check.gathered import Shown
 from launchlint.finding import Key
 from launchlint.rules.view import EntrySummary
 from launchlint.workspace.packages import Packages
@@ -18,18 +19,20 @@ class Known:
     ``by_default``: the findings that some entry file shows as it is, without args. ``entries`` are the entry files.
     """
 
-    def __init__(
-        self, packages: Packages, root: str, reached: Mapping[Key, Set[str]], by_default: Set[Key], entries: tuple[EntrySummary, ...]
-    ) -> None:
+    def __init__(self, packages: Packages, root: str, shown: Mapping[Key, Shown], entries: tuple[EntrySummary, ...]) -> None:
         self.packages = packages
         self.root = root
-        self.reached = reached
-        self.by_default = by_default
         self.entries = entries
+        self.reached: Mapping[Key, Set[str]] = {key: frozenset(each.entries) for key, each in shown.items()}
+        self.by_default: Set[Key] = {key for key, each in shown.items() if each.by_default}
+        self._files: dict[str, str] = {}
 
     def file(self, path: str) -> str:
         """The absolute path of a shown one."""
-        return os.path.abspath(os.path.join(self.root, path))
+        known = self._files.get(path)
+        if known is None:
+            known = self._files[path] = os.path.abspath(os.path.join(self.root, path))
+        return known
 
     @cached_property
     def included_by(self) -> Mapping[str, Set[str]]:

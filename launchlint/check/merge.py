@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint.check.entry import EntryResult
-from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
+from launchlint.check.file import INTERNAL_ERROR, run_rule
+from launchlint.check.gathered import AtFile, Shown, Standing, gathered
 from launchlint.check.ignores import PerFileIgnores
-from launchlint.check.in_order import Together
 from launchlint.check.known import Known
 from launchlint.check.options import Options
 from launchlint.check.ours import Ours
-from launchlint.finding import Finding, Key, Severity
+from launchlint.finding import Finding, Key
 from launchlint.named_tuple import NamedTuple
 from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
-from launchlint.rules.rule import Fine
 from launchlint.rules.view import EntrySummary, RunView, SuppressionView
 from launchlint.sight import NOTHING, Sight, together
 from launchlint.verdict import Verdict
 from launchlint.workspace.packages import Packages
-
-NEVER_EVALUATED = "no configuration that was found evaluates this element, so that nobody is stopped by it yet"
 
 
 class Outcome(NamedTuple):
@@ -80,84 +77,72 @@ def merge(
     if whole is None:
         summaries = tuple(result.summary for result in results)
         whole = overview(summaries, options, packages, asked) if workspace else Overview(summaries, parts(summaries), ())
-    entries = [each for each in results if alone or not (each.summary.needs_caller and each.path in whole.parts)]
-    of_entries = whole.summaries if alone else tuple(each for each in whole.summaries if not _is_part(each, whole.parts))
-    findings: dict[Key, Finding] = {}
-    reached: dict[Key, set[str]] = {}
-    by_default: set[Key] = set()
-    fine = Together()
-    visited: dict[str, set[int]] = {}
-    files: dict[str, FileResult] = {}
-    made_whole = _parts_in_order(entries)
-    for result in entries:
-        fine.add(result.fine)
-        for path, indices in result.visited:
-            visited.setdefault(path, set()).update(indices)
-        for finding in result.findings:
-            key = finding.key
-            if result.path in made_whole.get(Fine(finding.rule, finding.location.path, finding.location.start, finding.topic), ()):
-                continue
-            reached.setdefault(key, set()).add(result.path)
-            if finding.arguments == result.request.arguments:
-                by_default.add(key)
-            known = findings.get(key)
-            if known is None or _better(finding, known):
-                findings[key] = finding
-    for result in results:
-        for file in result.files:
-            files.setdefault(file.path, file)
-    collected = [
-        finding._replace(entries=len(reached[key]))
-        for key, finding in findings.items()
-        if not fine.has(finding.rule, finding.location.path, finding.location.start)
-    ]
+    entries = [each for each in results if alone or not is_part(each.summary, whole.parts)]
+    of_entries = whole.summaries if alone else without(whole.summaries, whole.parts)
+    standing = [Standing(each.path, each.outcome, each.sight) for each in entries]
+    seen = Seen(gathered(results, entries), of_entries, frozenset(each.path for each in results), standing)
+    return told(seen, options, packages, per_file, asked, whole.findings if workspace else ())
+
+
+class Seen(NamedTuple):
+    """What a run has seen: what is told of each file, the entry files without those that are parts of others, all that were ``checked``
+    (paths), and how the entry files stand.
+    """
+
+    files: Mapping[str, AtFile]
+    entries: tuple[EntrySummary, ...]
+    checked: frozenset[str]
+    standing: Sequence[Standing]
+
+
+def told(
+    seen: Seen, options: Options, packages: Packages, per_file: PerFileIgnores, asked: tuple[str, ...], of_run: Iterable[Finding]
+) -> Outcome:
+    """What is told of a run; ``of_run`` are the findings about all of it."""
+    files = [seen.files[path] for path in sorted(seen.files)]
+    collected = [finding for file in files for finding in file.findings]
     own = {finding.key for finding in collected}
-    of_files: dict[Key, Finding] = {}  # what several files show at one place counts as it does in the worst of them
-    for file in files.values():
-        evaluated = visited.get(file.path, set())
-        for finding, guard in file.findings:
-            if finding.key in own:
-                continue
-            if guard is not None and guard not in evaluated and finding.severity is Severity.ERROR:
-                finding = finding._replace(severity=Severity.WARNING, notes=(*finding.notes, NEVER_EVALUATED))
-            same = of_files.get(finding.key)
-            if same is None or finding.severity > same.severity:
-                of_files[finding.key] = finding
-    collected += of_files.values()
+    of_text: dict[Key, Finding] = {}  # what several files show at one place counts as it does in the worst of them
+    for file in files:
+        for finding in file.of_text:
+            same = of_text.get(finding.key)
+            if finding.key not in own and (same is None or finding.severity > same.severity):
+                of_text[finding.key] = finding
+    collected += of_text.values()
     if collected:
         from launchlint.check.judges import judged  # a dozen modules that a file without findings does without
 
-        collected = judged(collected, Known(packages, options.root, reached, by_default, of_entries))
-    collected += whole.findings if workspace else ()
+        collected = judged(collected, Known(packages, options.root, _shown(files), seen.entries))
+    collected += of_run
     collected = list(Ours(options, asked).brought_home(collected))
     crashes = [finding for finding in collected if finding.rule == INTERNAL_ERROR]
     others = _adjust((finding for finding in collected if finding.rule != INTERNAL_ERROR), options, per_file)
-    kept, more = _suppress(others, files.values(), options, per_file)
+    kept, more = _suppress(others, files, options, per_file)
     crashes += more
-    verdicts = tuple(sorted({result.path: result.outcome for result in entries}.items()))
-    looked_at = {path for path, file in files.items() if file.launches} | {result.path for result in results}
-    sight = together(each.sight for each in entries)
-    return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes), verdicts, sight)
+    verdicts = tuple(sorted({each.path: each.outcome for each in seen.standing}.items()))
+    looked_at = {path for path, file in seen.files.items() if file.launches} | seen.checked
+    sight = together(each.sight for each in seen.standing)
+    return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(seen.standing), bool(crashes), verdicts, sight)
 
 
-def _is_part(summary: EntrySummary, parts: frozenset[str]) -> bool:
+def _shown(files: Iterable[AtFile]) -> dict[Key, Shown]:
+    return {key: shown for file in files for key, shown in file.shown.items()}
+
+
+def without(summaries: Iterable[EntrySummary], parts: frozenset[str]) -> tuple[EntrySummary, ...]:
+    """``summaries`` without those of ``parts`` of others."""
+    return tuple(each for each in summaries if not is_part(each, parts))
+
+
+def is_part(summary: EntrySummary, parts: frozenset[str]) -> bool:
+    """Whether an entry file is a part of others."""
     return summary.needs_caller and summary.path in parts
-
-
-def _parts_in_order(entries: Sequence[EntryResult]) -> dict[Fine, set[str]]:
-    """What is in order in an entry file that includes others: the files that it is made of, which alone need not be whole."""
-    found: dict[Fine, set[str]] = {}
-    for result in entries:
-        for group in result.fine:
-            for fine in group.each if group.topic else ():
-                found.setdefault(fine, set()).update(path for path in result.summary.included if path != result.path)
-    return found
 
 
 def without_parts(results: Sequence[EntryResult]) -> list[EntryResult]:
     """The results without those of files that lack args and that another entry file leads to; see :func:`parts`."""
     left_out = parts([result.summary for result in results])
-    return [result for result in results if not _is_part(result.summary, left_out)]
+    return [result for result in results if not is_part(result.summary, left_out)]
 
 
 def parts(entries: Sequence[EntrySummary]) -> frozenset[str]:
@@ -187,15 +172,6 @@ def parts(entries: Sequence[EntrySummary]) -> frozenset[str]:
     return frozenset(dropped)
 
 
-def _better(finding: Finding, known: Finding) -> bool:
-    """Whether ``finding`` shows the same mistake more plainly: worse first, then nearer to an entry file, fewer args, first by name."""
-
-    def rank(item: Finding) -> tuple[object, ...]:
-        return (-int(item.severity), len(item.chain), len(item.arguments), item.entry, item.arguments, item.message)
-
-    return rank(finding) < rank(known)
-
-
 def _adjust(findings: Iterable[Finding], options: Options, per_file: PerFileIgnores) -> list[Finding]:
     """Severities and per-file ignores as people asked for them."""
     return [
@@ -206,7 +182,7 @@ def _adjust(findings: Iterable[Finding], options: Options, per_file: PerFileIgno
 
 
 def _suppress(
-    findings: list[Finding], files: Iterable[FileResult], options: Options, per_file: PerFileIgnores
+    findings: list[Finding], files: Iterable[AtFile], options: Options, per_file: PerFileIgnores
 ) -> tuple[list[Finding], list[Finding]]:
     """The findings that no comment suppresses, with what is to be said of the comments; then the crashes of those rules."""
     suppressions = [suppression for file in files for suppression in file.suppressions]

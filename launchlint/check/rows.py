@@ -17,7 +17,7 @@ MOST_DATABASES = 24
 """Databases that are kept, the latest used; each set of options and workspaces has one."""
 BROKEN = (ValueError, TypeError, KeyError, IndexError, AttributeError, RecursionError)
 """What reading a row that somebody else wrote may raise."""
-TABLES = ("entries", "files", "shared", "said", "held")
+TABLES = ("entries", "files", "shared", "said", "held", "groups", "told")
 LARGEST_DATABASE = 2 << 30
 """Bytes; a larger one, with results of what has long gone, is begun anew."""
 SEAL = 40

@@ -23,6 +23,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import TypeVar
 
+    from launchlint.check.cache import Cache
+
     Checker = TypeVar("Checker", bound=EntryChecker)
     Result = TypeVar("Result")
 
@@ -48,16 +50,28 @@ def check_entries(
     checker.remember = True
     cache = Cache(cache_directory, checker)
     try:
-        known = cache.look_up(requests)
-        missing = [request for request, result in zip(requests, known, strict=True) if result is None]
-        done = len(requests) - len(missing)
-        _read_ahead(missing, checker, jobs, reading)
-        computed = compute(missing, checker, EntryChecker.check, jobs, None if progress is None else lambda count: progress(done + count))
-        cache.store(computed)
-        fresh = iter(computed)
-        return [next(fresh) if result is None else result for result in known]
+        return check_missing(requests, checker, cache, jobs, progress, reading)
     finally:
         cache.close()
+
+
+def check_missing(
+    requests: Sequence[EntryRequest],
+    checker: EntryChecker,
+    cache: Cache,
+    jobs: int,
+    progress: Progress | None,
+    reading: ReadingProgress | None,
+) -> list[EntryResult]:
+    """The result of each request, in order, computed and stored where the cache has none."""
+    known = cache.look_up(requests)
+    missing = [request for request, result in zip(requests, known, strict=True) if result is None]
+    done = len(requests) - len(missing)
+    _read_ahead(missing, checker, jobs, reading)
+    computed = compute(missing, checker, EntryChecker.check, jobs, None if progress is None else lambda count: progress(done + count))
+    cache.store(computed)
+    fresh = iter(computed)
+    return [next(fresh) if result is None else result for result in known]
 
 
 def uses_cache(requests: Sequence[EntryRequest], checker: EntryChecker) -> bool:

@@ -10,20 +10,21 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-from collections.abc import Iterable, Iterator
+import time
+from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
 from launchlint.check.options import Options
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.contents import Contents
 from launchlint.workspace.listing import MOST_FILES as MOST_TREE_FILES
-from launchlint.workspace.looking import ALL_BELOW, directory_state, tree_state
+from launchlint.workspace.looking import ALL_BELOW, PART, directory_state, tree_state
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
 from launchlint.workspace.place import Place
 from launchlint.workspace.repository import LONGEST_PATH
 from launchlint.workspace.source_lists import is_source_list
 
-FORMAT = 12
+FORMAT = 13
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""
@@ -61,11 +62,12 @@ class Surroundings:
         self._trees: dict[str, str] = {}
         self._listings: dict[str, tuple[str, ...]] = {}
         self._names: dict[str, frozenset[str]] = {}
-        self._files: set[str] = set()
+        self._files: dict[str, None] = {}
         self._links: list[str] = []
         self._missing: dict[str, bool] = {}
         self._contents: dict[str, str] = {}
         self._said: dict[tuple[str, str], bool] = {}
+        self._begin = time.time_ns()
         self.name, self.stamp = self._digests(options, packages, code)
 
     def say(self, path: str, state: str) -> bool:
@@ -86,6 +88,25 @@ class Surroundings:
             return ""
         digest = self._held.sha1(path, LARGEST_READ)
         return None if digest is None else f"file {digest}"
+
+    def has_met(self, path: str) -> bool:
+        """Whether :meth:`all_files` tells what there is at an absolute path."""
+        file = path.partition(PART)[0]
+        if file.endswith(_ALL_BELOW):
+            return bool(self._tree_state(file.removesuffix(_ALL_BELOW)))
+        return file in self._files or file in self._listings or self._is_missing(file)
+
+    @property
+    def recent(self) -> list[str]:
+        """The files that were met and may change so that ``stat`` does not tell."""
+        return [path for path in self._files if not self._held.tells(path, self._begin)]
+
+    def all_files(self, by_content: Collection[str]) -> str:
+        """Equal where all is as it was that was met: by what ``stat`` says of each file, and of some ``by_content``."""
+        found = hashlib.sha256(f"{self.name} {self.stamp}".encode())
+        lines = (f"{path}\0{self._held.sha1(path) if path in by_content else self._held.mark(path)}" for path in self._files)
+        found.update("\n".join(lines).encode("utf-8", "surrogateescape"))
+        return found.hexdigest()
 
     def _says(self, path: str, state: str) -> bool:
         if path.endswith(_ALL_BELOW):
@@ -226,7 +247,7 @@ class Surroundings:
             else:
                 inside.append(_Inside(name, status.st_mode if stat.S_ISREG(status.st_mode) else 0, bool(target)))
                 self._held.seen(entry.path, status)
-                self._files.add(entry.path)
+                self._files[entry.path] = None
                 if _counts(name):
                     content = self._contents[entry.path] = self._content(entry.path)
                 yield f"{name}\0{target}\0{status.st_mode}\0{content}\n"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from launchlint import __version__
 from launchlint.cli.entries import parse_severity, tell, use_color
@@ -14,9 +16,10 @@ from launchlint.project.asked import EntryOptions, leave_others_out
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.check.entry import EntryChecker
+    from launchlint.check.entry import EntryChecker, EntryResult
     from launchlint.check.merge import Outcome
     from launchlint.check.options import Options
+    from launchlint.check.run import Progress, ReadingProgress
     from launchlint.finding import Finding, Severity
 
 
@@ -98,32 +101,20 @@ def _check(
 
         remember(directory, checker)
     requests, notices = leave_others_out(entry, requests, checker.session)
-    bar = reading = None
-    if options.extract and not given.quiet and sys.stderr.isatty():
-        from launchlint.cli.progress import LateBar
+    results: list[EntryResult] = []
+    outcome: Outcome | None = None
+    with _shown(len(requests), options, given) as (progress, reading):
+        if _asks_for_outcome_only(entry, given):
+            from launchlint.check.whole import check_whole
 
-        reading = LateBar("programs read")
-    if not given.quiet and len(requests) > 1 and sys.stderr.isatty():
-        from launchlint.cli.progress import ProgressBar
-
-        bar = ProgressBar(len(requests))
-    try:
-        results = check_entries(
-            requests,
-            checker,
-            jobs=given.jobs,
-            cache_directory=directory,
-            progress=None if bar is None else bar.show,
-            reading=None if reading is None else reading.show,
-        )
+            asked = entry.paths
+            outcome = check_whole(requests, checker, per_file, given.jobs, directory, asked=asked, progress=progress, reading=reading)
+        else:
+            results = check_entries(requests, checker, jobs=given.jobs, cache_directory=directory, progress=progress, reading=reading)
         if given.base is not None:
             from launchlint.check.losses import with_losses
 
             results = with_losses(results, checker, given.base)
-    finally:
-        for each in (bar, reading):
-            if each is not None:
-                each.clear()
     if not given.quiet:
         for notice in notices:
             tell(notice)
@@ -152,7 +143,7 @@ def _check(
             outcome = outcome._replace(findings=tuple(finding for finding in outcome.findings if concerns(finding, changed)))
         return outcome
 
-    if given.fix or given.unsafe_fixes or given.diff:
+    if _fixes(given):
         from launchlint.cli.fixing import Fixer
 
         fixer = Fixer(entry, checker, results, per_file, told, only=changed, unsafe=given.unsafe_fixes, quiet=given.quiet)
@@ -166,11 +157,38 @@ def _check(
         outcome = told(merge(results, options, checker.packages, per_file, asked=entry.paths))
         _keep(checker)
         return max(report(outcome, shown, notices), 2 if fixer.failed else 0)
-    outcome = merge(results, options, checker.packages, per_file, asked=entry.paths)
+    if outcome is None:
+        outcome = merge(results, options, checker.packages, per_file, asked=entry.paths)
     _keep(checker)
     if given.write_baseline is not None:
         return record(outcome, given.write_baseline, quiet=given.quiet)
     return report(told(outcome), shown, notices)
+
+
+def _fixes(given: CheckOptions) -> bool:
+    return given.fix or given.unsafe_fixes or given.diff
+
+
+def _asks_for_outcome_only(entry: EntryOptions, given: CheckOptions) -> bool:
+    """Whether nobody needs the results of single entry files."""
+    return entry.entries is None and given.base is None and not _fixes(given)
+
+
+@contextmanager
+def _shown(count: int, options: Options, given: CheckOptions) -> Iterator[tuple[Progress | None, ReadingProgress | None]]:
+    """What shows people how far a check of ``count`` entry files is, and the reading of sources, where somebody looks on."""
+    bar = reading = None
+    if not given.quiet and sys.stderr.isatty():
+        from launchlint.cli.progress import LateBar, ProgressBar
+
+        reading = LateBar("programs read") if options.extract else None
+        bar = ProgressBar(count) if count > 1 else None
+    try:
+        yield None if bar is None else bar.show, None if reading is None else reading.show
+    finally:
+        for each in (bar, reading):
+            if each is not None:
+                each.clear()
 
 
 def _keep(checker: EntryChecker) -> None:
@@ -205,7 +223,7 @@ def _only_jsonl_with_entries(entry: EntryOptions, given: CheckOptions) -> None:
 
 def _no_fixes_there(entry: EntryOptions, given: CheckOptions) -> None:
     """Fixes are made in files as they are on disk (or on standard input), of what is found in them now."""
-    if not (given.fix or given.unsafe_fixes or given.diff):
+    if not _fixes(given):
         return
     option = "--diff" if given.diff else "--fix" if given.fix else "--unsafe-fixes"
     if entry.entries is not None:

@@ -37,7 +37,13 @@ class Known(NamedTuple):
 
 def hold(looks: Iterable[Look], root: str, states: States) -> bool:
     """Whether all is as it was; ``looks`` are relative to ``root``."""
-    return all(states.of(os.path.normpath(os.path.join(root, path))) == known for path, known in looks)
+    return all(states.of(absolute(path, root)) == known for path, known in looks)
+
+
+def absolute(path: str, root: str) -> str:
+    """The path that is ``path`` relative to ``root``, both in normal form."""
+    joined = os.path.join(root, path)
+    return os.path.normpath(joined) if path[:1] in (".", os.sep) or os.altsep else joined
 
 
 def looks_at(paths: Iterable[str], root: str, states: States) -> tuple[Look, ...]:

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from launchlint.knowledge.entry import Key, Known
-    from launchlint.knowledge.programs import Programs
-    from launchlint.workspace.states import States
+    from launchlint.knowledge.programs import Digest, Programs
+    from launchlint.workspace.states import Look, States
 
 
 _CONDITIONS = {"ROS_VERSION": "2"}
@@ -133,6 +133,20 @@ class OwnSources:
         """Another one where what is known of a program may be another; empty where it is not known yet and would have to be read."""
         home = self.first(key[0])  # which middleware it is of, its manifest says, which what was read hangs on
         return "" if home is None else self._programs.digest(key, home)
+
+    def looked(self, key: Key) -> tuple[Look, ...]:
+        """All that the digest of a program hangs on, by absolute paths."""
+        home = self.first(key[0])
+        return () if home is None else self._programs.looks(key, home)
+
+    def remember(self, digests: Mapping[str, Digest]) -> None:
+        """Take ``digests`` of an earlier run, each as long as its looks are true."""
+        self._programs.remembered.update(digests)
+
+    @property
+    def digests(self) -> dict[str, Digest]:
+        """The digests of all programs that were asked for in this run."""
+        return self._programs.digests
 
     def home(self, name: str) -> Home | None:
         """The package of this name in the first workspace that has one, if it is of the middleware."""

@@ -6,10 +6,11 @@ import hashlib
 import os
 
 from launchlint.knowledge.code import code_digest
-from launchlint.knowledge.entry import Key, Known, hold
+from launchlint.knowledge.entry import Key, Known, absolute, hold
 from launchlint.knowledge.store import Store
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import unnoted
-from launchlint.workspace.states import States
+from launchlint.workspace.states import Look, States
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,6 +19,13 @@ if TYPE_CHECKING:
 
 FORMAT = 1
 """Of what is kept; another one reads everything anew."""
+
+
+class Digest(NamedTuple):
+    """What :class:`launchlint.knowledge.entry.Known` has without what is known: its digest, and what that hangs on."""
+
+    digest: str
+    looks: tuple[Look, ...]
 
 
 class Programs:
@@ -30,6 +38,10 @@ class Programs:
         self._known: dict[Key, Known] = {}
         self._reader: SourceReader | None = None
         self._surroundings = ""
+        self._names: dict[Key, str] = {}
+        self._directories: dict[str, str] = {}
+        self.digests: dict[str, Digest] = {}
+        self.remembered: dict[str, Digest] = {}
 
     def known(self, key: Key, home: Home) -> Known:
         """What the sources of a program of the package at ``home`` say."""
@@ -52,12 +64,30 @@ class Programs:
 
     def digest(self, key: Key, home: Home) -> str:
         """As :meth:`launchlint.knowledge.own.OwnSources.digest`."""
+        found = self._digest_of(key, home)
+        return "" if found is None else found.digest
+
+    def looks(self, key: Key, home: Home) -> tuple[Look, ...]:
+        """All that the digest hangs on, by absolute paths."""
+        found = self._digest_of(key, home)
+        return () if found is None else tuple((absolute(path, home.root), state) for path, state in found.looks)
+
+    def _digest_of(self, key: Key, home: Home) -> Digest | None:
+        """What is remembered of the program as long as it is true, else that of what is kept of it."""
         with unnoted():
-            known = self._known.get(key) or self._without_reading(key, home)
-        if known is None:
-            return ""
-        self._known[key] = known
-        return known.digest
+            name = self._name(key, home)
+            known = self._known.get(key)
+            if known is None:
+                found = self.digests.get(name) or self.remembered.get(name)
+                if found is not None and home.copies == 1 and hold(found.looks, home.root, self._states):
+                    self.digests[name] = found
+                    return found
+                known = self._without_reading(key, home)
+            if known is None:
+                return None
+            self._known[key] = known
+            found = self.digests[name] = Digest(known.digest, known.looks)
+            return found
 
     def _without_reading(self, key: Key, home: Home) -> Known | None:
         """What is known of a program without its sources: that nobody can say which package is meant, or what is kept."""
@@ -87,10 +117,14 @@ class Programs:
 
     def _name(self, key: Key, home: Home) -> str:
         """What is known of a program is kept under this name: the same wherever the workspace lies."""
-        if not self._surroundings:
-            self._surroundings = self._digest()
-        text = "\0".join((self._surroundings, os.path.relpath(home.package.directory, home.root), *key))
-        return hashlib.sha1(text.encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
+        if key not in self._names:
+            self._surroundings = self._surroundings or self._digest()
+            directory = home.package.directory
+            if directory not in self._directories:
+                self._directories[directory] = os.path.relpath(directory, home.root)
+            text = "\0".join((self._surroundings, self._directories[directory], *key))
+            self._names[key] = hashlib.sha1(text.encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
+        return self._names[key]
 
     def _digest(self) -> str:
         """Of what everything hangs on: launchlint, what it reads with, and which packages there are."""

@@ -199,7 +199,7 @@ def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session:
     named = entry.named
     if entry.entries is not None or entry.standard_input is not None:
         named = frozenset(os.path.abspath(each.at) for each in requests)
-    if named.issuperset(os.path.abspath(each.at) for each in requests):
+    if not requests or (named and named.issuperset(os.path.abspath(each.at) for each in requests)):
         return requests, ()
     from launchlint.check.dialects import sort_out
 

@@ -11,6 +11,9 @@ from launchlint.fingerprint import fingerprints
 from launchlint.report.escape import no_surrogates
 from launchlint.report.run import Run
 
+_SURROGATE = "\\ud"
+"""How JSON writes them in ASCII begins so."""
+
 
 def render(findings: Sequence[Finding], run: Run) -> str:
     """``{"version": 1, "findings": […], "verdicts": […], "sight": {…}}``, each in a line; all severities, whatever ``run.verbose`` says.
@@ -39,7 +42,10 @@ def objects(findings: Sequence[Finding]) -> list[dict[str, Any]]:
 
 def dump(value: Any) -> str:
     """``value`` as JSON in one line of ASCII, without lone surrogates, and without what GitHub takes for a command in a log."""
-    return json.dumps(_clean(value), ensure_ascii=True, allow_nan=False).replace("##[", "##\\u005b")
+    text = json.dumps(value, ensure_ascii=True, allow_nan=False)
+    if _SURROGATE in text:  # half of a pair, or a whole one
+        text = json.dumps(_clean(value), ensure_ascii=True, allow_nan=False)
+    return text.replace("##[", "##\\u005b")
 
 
 def _object(finding: Finding, mark: str) -> dict[str, Any]:

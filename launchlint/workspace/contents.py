@@ -77,6 +77,14 @@ class Contents:
         """``status`` is what ``stat`` has said of ``path`` in this run, and is not asked again."""
         self._statuses[path] = status
 
+    def tells(self, path: str, now: int) -> bool:
+        """Whether a change of a file that was :meth:`seen`, after ``now`` (in nanoseconds), would show in its :meth:`mark`."""
+        return _TRUSTED and _tells(self._statuses[path], now)
+
+    def mark(self, path: str) -> str:
+        """What ``stat`` has said of a file that was :meth:`seen`."""
+        return " ".join(map(str, _signature(self._statuses[path])))
+
     def sha1(self, path: str, largest: int = LARGEST_FILE) -> str | None:
         """SHA-1 of a plain file of at most ``largest`` bytes, in hexadecimal; None where there is none that can be read."""
         try:

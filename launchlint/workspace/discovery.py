@@ -77,9 +77,17 @@ def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None
         if not stat.S_ISDIR(mode):
             found.setdefault(os.path.abspath(path), os.path.normpath(path))
             continue
+        here = os.getcwd()
         for file in _walk(os.path.normpath(path), exclude, root, seen):
-            found.setdefault(os.path.abspath(file), file)
+            found.setdefault(absolute(file, here), file)
     return sorted(found.values())
+
+
+def absolute(path: str, here: str) -> str:
+    """As ``os.path.abspath`` in the directory ``here``, sooner for a path in the form that :func:`discover` gives."""
+    if os.sep != "/" or path[:1] in ("", ".", "/"):
+        return os.path.normpath(os.path.join(here, path))
+    return f"{here}/{path}"
 
 
 def is_launch_file(path: str) -> bool:

@@ -67,10 +67,14 @@ NOWHERE = Looks()
 
 
 class States:
-    """What there is on disk, each path looked at once, until it is said to have changed."""
+    """What there is on disk, each path looked at once, until it is said to have changed.
 
-    def __init__(self, find: Callable[[str], str] | None = None) -> None:
+    ``kept`` gives the state of the answer to a question where it is kept what that hangs on, and all of it is true.
+    """
+
+    def __init__(self, find: Callable[[str], str] | None = None, kept: Callable[[str], str | None] | None = None) -> None:
         self._find = find or state_of
+        self._kept = kept
         self._known: dict[str, str] = {}
         self._shared: dict[int, tuple[frozenset[str], Shared]] = {}
 
@@ -95,9 +99,13 @@ class States:
         return Looks(tuple(sorted(own.items())), tuple(shared), tuple(sorted(answers.values(), key=lambda each: each.question)))
 
     def answered(self, answers: Iterable[Answer]) -> Iterator[Answered]:
-        """The answers, with the states of all that they hang on."""
+        """The answers, with the states of all that they hang on; without them where it is kept what the same answer hangs on."""
         for each in answers:
-            yield Answered(each.question, each.state, tuple(dict.fromkeys(map(self._whole, filter(None, each.looked.sets())))))
+            state = each.state
+            if self._kept is not None and self._kept(each.question) == state:
+                yield Answered(each.question, state, ())
+                continue
+            yield Answered(each.question, state, tuple(dict.fromkeys(map(self._whole, filter(None, each.looked.sets())))))
 
     def _whole(self, paths: frozenset[str]) -> Shared:
         kept = self._shared.get(id(paths))

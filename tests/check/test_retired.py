@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from launchlint.check.gathered import Shown
 from launchlint.check.known import Known
 from launchlint.check.retired import judged_by_place
 from launchlint.finding import Finding, Location, Severity
@@ -15,8 +16,8 @@ from launchlint.workspace.put_aside import renamed_manifest
 def severity(path: str, *, included: tuple[str, ...] = (), entry: str = "launch/robot.launch", seen_by: str = "") -> Severity:
     """The level of an error in ``path`` after it has been judged; ``entry`` includes ``included``, and ``seen_by`` shows the error."""
     finding = Finding("LL101", "malformed-xml", Severity.ERROR, Location(path, 1, 1, 1, 2, 0, 1, "x"), "broken")
-    reached = {finding.key: {seen_by}} if seen_by else {}
-    known = Known(Packages((), {}, explicit=True), "", reached, set(), (EntrySummary(entry, False, included, (), ()),))
+    shown = {finding.key: Shown((seen_by,), by_default=False)} if seen_by else {}
+    known = Known(Packages((), {}, explicit=True), "", shown, (EntrySummary(entry, False, included, (), ()),))
     (judged,) = judged_by_place([finding], known)
     assert bool(judged.notes) == (judged.severity is not finding.severity)
     return judged.severity
