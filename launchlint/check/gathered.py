@@ -8,17 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
-from launchlint.check.entry import EntryResult
-from launchlint.check.file import FileResult
 from launchlint.check.in_order import Together
-from launchlint.check.options import EntryRequest
 from launchlint.finding import Finding, Key, Severity
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.rule import Fine
-from launchlint.rules.view import EntrySummary
-from launchlint.sight import Sight
-from launchlint.suppression import Suppression
-from launchlint.verdict import Verdict
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.check.entry import EntryResult
+    from launchlint.check.file import FileResult
+    from launchlint.check.options import EntryRequest
+    from launchlint.rules.view import EntrySummary
+    from launchlint.sight import Sight
+    from launchlint.suppression import Suppression
+    from launchlint.verdict import Verdict
 
 NEVER_EVALUATED = "no configuration that was found evaluates this element, so that nobody is stopped by it yet"
 
