@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from launchlint.check.fixing import Fixing
 
 
+BROKEN = "LL101"
+"""The rule that says why a text cannot be read."""
+
+
 class OpenWorkspace:
     """The entry files below a directory, and what is known of each. Raises LaunchlintError where its configuration cannot be used.
 
@@ -348,14 +352,17 @@ class OpenWorkspace:
         return self._whole
 
     def _in_broken(self, guessed: Iterable[Finding], told: Iterable[Finding]) -> Iterator[Finding]:
-        """What was found in texts that were recovered, where it stands in the broken ones, and is not told already."""
+        """What was found in texts that were recovered, where it stands in the broken ones, and is not told already.
+
+        What is broken itself is told of the text as it is, not of what was made of it: that can be broken, too, where nothing better is had.
+        """
         known = {finding.key for finding in told}
         for file, recovery in self.broken.items():
             shown = self.checker.session.shown(file)
             source = Source(shown, decode(self.texts[file]).text, file)
             for finding in guessed:
                 at = finding.location
-                if at.path != shown:
+                if at.path != shown or finding.rule == BROKEN:
                     continue
                 start, end = recovery.back(at.start), recovery.back(at.end)
                 if not recovery.is_lost(start, end):

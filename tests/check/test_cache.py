@@ -497,7 +497,7 @@ def test_a_part_of_a_text_is_looked_for_once(tmp_path: Path, monkeypatch: pytest
         checker = EntryChecker(Options(frozenset(), (str(workspace),), True, {}, str(workspace)))
         cache = Cache(str(tmp_path / "cache"), checker)
         try:
-            return cache._states.of(part) == known
+            return cache.states.of(part) == known
         finally:
             cache.close()
             assert checker.packages.held is not None

@@ -94,8 +94,17 @@ def workspace(tmp_path: Path) -> Workspace:
 BROKEN = '<launch>\n  <arg name="robot"/>\n  <node name="w" pkg="beta" type="nobody"/>\n  <arg name="idle" default="1"/>\n</launch>\n'
 CALLS = '<launch>\n  <include file="$(find beta)/parts/broken.launch">{}</include>\n</launch>\n'
 GIVES = '<arg name="robot" value="{}"/>'
+PART = """\
+<launch>
+  <arg name="robot"/>
+  <arg name="all" default="true"/>
+  <include if="$(arg all)" file="$(find beta)/parts/inner.launch"/>
+</launch>
+"""
 FILES = {
     "beta/parts/broken.launch": BROKEN,
+    "beta/parts/inner.launch": '<launch><node name="w" pkg="beta" type="nobody"/></launch>\n',
+    "beta/parts/part.launch": PART,
     "alpha/calls/one.launch": CALLS.format(GIVES.format("one")),
     "gamma/calls/two.launch": CALLS.format(GIVES.format("two")),
     "delta/old/aside.launch": '<launch><node name="a" pkg="beta" type="nobody"/></launch>\n',
@@ -103,6 +112,8 @@ FILES = {
     "alpha/moveit/move_group.launch": '<launch><arg name="debug" default="false"/><arg name="info" default="true"/></launch>\n',
 }
 USES_OLD = '<launch><include file="$(find delta)/old/aside.launch"/></launch>\n'
+GIVES_BOTH = GIVES.format("r") + '<arg name="all" value="false"/>'
+LEAVES_OUT = f'<launch><include file="$(find beta)/parts/part.launch">{GIVES_BOTH}</include></launch>\n'
 SILENT = '<launch>\n  <!-- launchlint: ignore[LL301] so -->\n  <node name="w" pkg="beta" type="nobody"/>\n</launch>\n'
 CHANGES: dict[str, Callable[[Path], None]] = {
     "one more leads to the mistake": put("alpha/calls/more.launch", CALLS.format(GIVES.format("more"))),
@@ -118,6 +129,8 @@ CHANGES: dict[str, Callable[[Path], None]] = {
     "the mistake moves": replace("beta/parts/broken.launch", "<launch>\n", "<launch>\n\n\n"),
     "another directory": rename("beta/parts", "beta/pieces"),
     "and back": rename("beta/pieces", "beta/parts"),
+    "a part shows nothing of what it includes by itself": put("alpha/calls/some.launch", LEAVES_OUT),
+    "it is no part any more, and does": put("alpha/calls/some.launch", "<launch/>\n"),
     "a directory is gone": remove("gamma/calls"),
     "a document gives an arg": put("README.md", "roslaunch beta broken.launch idle:=2\n"),
     "a workflow names a package": put(".github/workflows/ci.yml", "steps:\n  - run: git clone https://example.com/lost.git\n"),

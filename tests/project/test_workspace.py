@@ -128,6 +128,13 @@ def test_after_any_edits_of_ros2_the_findings_are_those_of_a_fresh_check(edits: 
     check_edits(edits, FILES_ROS2, tmp_path / "ws")
 
 
+def test_what_is_wrong_with_a_text_that_is_broken_in_several_places_is_told_of_the_text_itself(tmp_path: Path) -> None:
+    """What stands in for it is broken, too, where nothing was readable before; or the last text that was."""
+    name = "launch/main.launch"
+    edits = [(name, 0.1, 0, "<", False), (name, 0.0, 1, "", False), (name, 0.96875, 4, "", False)]
+    check_edits(edits, FILES, tmp_path / "ws")
+
+
 @pytest.mark.parametrize("name", ["launch/part.launch.yaml", "launch/other_launch.yaml"])
 def test_a_yaml_file_whose_root_is_damaged(name: str, tmp_path: Path) -> None:
     check_edits([(name, 0.0, 3, "x", True)], FILES_ROS2, tmp_path / "ws")
