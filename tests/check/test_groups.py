@@ -101,6 +101,17 @@ PART = """\
   <include if="$(arg all)" file="$(find beta)/parts/inner.launch"/>
 </launch>
 """
+DRIVES = """\
+#include <ros/ros.h>
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "drive");
+  ros::NodeHandle own("~");
+  double speed;
+  own.param("speed", speed, 1.0);
+  ros::spin();
+}
+"""
 FILES = {
     "beta/parts/broken.launch": BROKEN,
     "beta/parts/inner.launch": '<launch><node name="w" pkg="beta" type="nobody"/></launch>\n',
@@ -109,6 +120,7 @@ FILES = {
     "gamma/calls/two.launch": CALLS.format(GIVES.format("two")),
     "delta/old/aside.launch": '<launch><node name="a" pkg="beta" type="nobody"/></launch>\n',
     "delta/ignored/loose.launch": '<launch><node name="a" pkg="beta" type="nobody"/></launch>\n',
+    "alpha/src/drive.cpp": DRIVES,
     "alpha/moveit/move_group.launch": '<launch><arg name="debug" default="false"/><arg name="info" default="true"/></launch>\n',
 }
 USES_OLD = '<launch><include file="$(find delta)/old/aside.launch"/></launch>\n'
@@ -116,6 +128,8 @@ GIVES_BOTH = GIVES.format("r") + '<arg name="all" value="false"/>'
 LEAVES_OUT = f'<launch><include file="$(find beta)/parts/part.launch">{GIVES_BOTH}</include></launch>\n'
 SILENT = '<launch>\n  <!-- launchlint: ignore[LL301] so -->\n  <node name="w" pkg="beta" type="nobody"/>\n</launch>\n'
 CHANGES: dict[str, Callable[[Path], None]] = {
+    "a program reads another param": replace("alpha/src/drive.cpp", '"speed"', '"speeds"'),
+    "and that of before": replace("alpha/src/drive.cpp", '"speeds"', '"speed"'),
     "one more leads to the mistake": put("alpha/calls/more.launch", CALLS.format(GIVES.format("more"))),
     "it gives another value": replace("alpha/calls/more.launch", "more", "other"),
     "its lines move": replace("alpha/calls/more.launch", "<launch>\n", "<launch>\n\n"),
