@@ -407,10 +407,14 @@ class ParamYamlInvalid(Problem):
 
 
 class YamlDuplicateKey(Problem):
-    """A key (its path, with ``/``) that stands twice in one mapping; ``same``: with the same value."""
+    """A key (its path, with ``/``) that stands twice in one mapping; ``same``: with the same value.
+
+    ``anchored``: the first value has an anchor, by which it is used elsewhere.
+    """
 
     key: str
     same: bool
+    anchored: bool
 
 
 class Ros2Parameters(Problem):

@@ -42,6 +42,7 @@ LONGEST_KEPT = 1 << 20
 """Characters of a YAML text whose parameters are kept for the next time."""
 SOURCES = ("value", "textfile", "binfile", "command")
 STEPS = ("load", "dump", "delete")
+_ANCHOR = re.compile(r"[ \t]*:[ \t]+&([^\s,\[\]{}]+)")
 ROS2_KEY = "ros__parameters"
 """Below it stand the params of a node in a parameter file of ROS 2."""
 
@@ -234,6 +235,12 @@ def _in_text(element: Element, name: str | None) -> Any:
     return where
 
 
+def _is_anchored(content: str, end: int) -> bool:
+    """Whether the value behind the key that ends at ``end`` has an anchor, and ``content`` uses that."""
+    found = _ANCHOR.match(content, end)
+    return found is not None and re.search(rf"\*{re.escape(found[1])}(?![^\s,\]}}])", content) is not None
+
+
 def _line(written: Source | None, content: str, start: int, end: int) -> Place | None:
     """The place in the file ``written`` of what stands at ``start`` to ``end`` of ``content``, in which substitutions are replaced.
 
@@ -336,7 +343,8 @@ def _load(
         first, second = (_line(written, content, *span) or place(*span) for span in (duplicate.first, duplicate.second))
         related = ((first, "the first one"),)
         key = "/".join(map(str, duplicate.path))
-        file.record(YamlDuplicateKey(origin=Origin(second), related=related, key=key, same=duplicate.same_value))
+        file.record(YamlDuplicateKey(origin=Origin(second), related=related, key=key, same=duplicate.same_value,
+                                     anchored=_is_anchored(content, duplicate.first[1])))  # fmt: skip
     _notice_ros2(file, element, loaded, content, full, place)
     same = (file.document, element.index, "" if source is None else source.path, content, full, file.conditions)
     known = file.session.settings.get(same)

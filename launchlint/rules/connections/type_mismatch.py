@@ -1,13 +1,14 @@
 """A publisher and a subscriber of one topic speak different types.
 
-The same holds for server and client of a service, and of an action. It is a warning where the two types may be one
-definition under two names (a copy of a message in a package of one's own), and silent where they are: both are in the workspace, and are
-alike field by field. Of two such types it is an info where one end is a program of the workspace and the other one is public, and the
-former is in a package that rosbuild builds, or the package of the latter lies in the workspace, too: which type that version of it has
-nobody knows here. The same two programs with the same two types are told of once, also where several launch files start them, and so are
-all programs that take one of two such names for the other. In ROS 2 types of different names never meet, whatever is in them; it is an
-info where they differ as those of two releases of a public program do, whose messages moved to a package of their own (`turtlesim/msg/Pose`
-and `turtlesim_msgs/msg/Pose`), or whose speeds got a header with Jazzy (`Twist` and `TwistStamped`).
+The same holds for server and client of a service, and of an action. It is a warning where the two types may be one definition under two
+names (a copy of a message in a package of one's own), and silent where they are: both are in the workspace, and are alike field by field.
+Of two such types it is an info where one end is a program of the workspace and the other one is public, and the former is in a package
+that rosbuild builds, or the package of the latter lies in the workspace, too: which type that version of it has nobody knows here. The
+same two programs with the same two types are told of once, also where several launch files start them, and so are all programs that take
+one of two such names for the other, and all that meet one program on one topic with another type than its own. In ROS 2 types of different
+names never meet, whatever is in them; it is an info where they differ as those of two releases of a public program do, whose messages
+moved to a package of their own (`turtlesim/msg/Pose` and `turtlesim_msgs/msg/Pose`), or whose speeds got a header with Jazzy (`Twist` and
+`TwistStamped`).
 
 ## Why it matters
 
@@ -45,12 +46,14 @@ topic looks all right in `rostopic list`. In ROS 2 the two do not even find each
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
 from launchlint.late import late
 from launchlint.model import ROS2
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
 from launchlint.rules.judging.other_file import is_inside
@@ -148,8 +151,21 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
         if copies
         else _NUMBER.sub("#", f"{giver.program} {taker.program} {channel.kind} {channel.name.rpartition('/')[2]}")
         + f" {offer.type} {use.type}",
+        about=(giver.program, taker.program),
     )
     return with_sources(found, acting, other)
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for all that one program of another type than theirs is told of: it is that one to which something was done."""
+    ends = Counter((end, each.topic) for each in findings for end in enumerate(each.about))
+
+    def other(finding: Finding) -> object:
+        own = [(end, finding.topic) for end in enumerate(finding.about)]
+        return max(own, key=lambda end: ends[end], default=id(finding))
+
+    for several in alike(findings, other):
+        yield joined(several) if len(several) > 1 else several[0]
 
 
 def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from launchlint.graph.connections import Doubt, Endpoint, Instance, Reading
 from launchlint.graph.names import absolute
-from launchlint.library.template import is_template, parse
+from launchlint.library.template import Template, is_template, parse
 from launchlint.named_tuple import NamedTuple
 
 TYPE_CHECKING = False
@@ -75,12 +75,20 @@ def _otherwise(instance: Instance, library: Library) -> Iterator[Doubt]:
                 if entry.condition is None and entry.each is None and len(program.variants) == 1 and not is_template(entry.name):
                     continue
                 parts = parse(entry.name) if is_template(entry.name) else (entry.name,)
-                pattern = "".join(part if isinstance(part, str) else "*" for part in parts)
-                if pattern.strip("*/~"):
+                for pattern in _patterns(parts):
                     full = pattern if pattern.startswith("*") else absolute(pattern, namer.namespace, namer.node)
                     yield Doubt(entry.category, full, entry.name)
                     if entry.category == "actions" or entry.transport:
                         yield Doubt(entry.category, f"{full}/*", entry.name)
+
+
+def _patterns(parts: Template) -> Iterator[str]:
+    """What a name may be, ``*`` for what is filled in; of one that is filled in as a whole what it is where nothing is given."""
+    whole = parts[0] if len(parts) == 1 else ""
+    for each in (parts, () if isinstance(whole, str) else whole.default or ()):
+        pattern = "".join(part if isinstance(part, str) else "*" for part in each)
+        if pattern.strip("*/~"):
+            yield pattern
 
 
 def _relative(full: str, instance: Instance) -> str:

@@ -33,6 +33,12 @@ def _is_elsewhere_here(path: str, root: str) -> bool:
     return bool(root) and any(exists(posixpath.join(root, *tail)) for tail in tails)
 
 
+def is_temporary(path: str, packages: Packages, root: str) -> bool:
+    """Whether the file at ``path`` (absolute) lies in `/tmp`, and is not beside what is checked: a program writes it while it runs."""
+    parts, own = path.split("/"), root.split("/")
+    return parts[1:2] == ["tmp"] and parts[:3] != own[:3] and not is_inside(path, packages.workspaces)
+
+
 def advice(path: str) -> str:
     """What to do about it."""
     return f"it is a file of the robot: see that {path} is there before this is started"

@@ -27,7 +27,8 @@ _LONGEST = 200
 _LETTERS = late(r"[a-z]+")
 _PATH_TO_FILL_IN = late(
     r"""(?:^|/)(?:path[/_]to[/_] | your[_-]?\w+/ | <[^<>/]+>(?:/|$) | \{[A-Z][A-Z\d]*(?:_[A-Z\d]+)*\}(?:[./]|$))
-    | /(?:home|Users)/user_?name/""",
+    | /(?:home|Users)/user_?name/
+    | /home/livox/                                           # in Livox's own launch files""",
     re.VERBOSE | re.IGNORECASE,
 )
 

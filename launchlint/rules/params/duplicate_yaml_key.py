@@ -1,8 +1,8 @@
 """A key stands twice in one YAML dictionary.
 
-The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info, and all of
-one file are told as one. The same key in copies of a file is told once. In ROS 2 it is about launch files in YAML: a second `node` without
-a dash of its own replaces the first one.
+The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info, and all of one file
+are told as one; so it is where the first value has an anchor (`&name`) by which it is used further down. The same key in copies of a file
+is told once. In ROS 2 it is about launch files in YAML: a second `node` without a dash of its own replaces the first one.
 
 ## Why it matters
 
@@ -63,17 +63,23 @@ _MOST_ALIKE = 20
 def tell(problem: YamlDuplicateKey | KeyTwice, view: object) -> Iterator[Finding]:
     """Show both keys."""
     key, same = problem.key, problem.same
+    anchored = isinstance(problem, YamlDuplicateKey) and problem.anchored
     yield RULE.at(
         problem.origin,
-        f"the key {key} stands twice with the same value" if same else f"the key {key} stands twice: the first value is lost",
-        severity=Severity.INFO if same else None,
+        f"the key {key} stands twice{_lost(same, anchored)}",
+        severity=Severity.INFO if same or anchored else None,
         label="the last one counts",
         # Of a text with substitutions only the element is known.
         related=tuple(each for each in problem.related if each[0] != problem.place),
+        notes=("the first value is used by its anchor",) if anchored else (),
         topic=key,
-        cause=f"{problem.place.source.path} same" if same else _twice(problem, view),
+        cause=f"{problem.place.source.path} {'same' if same else 'anchored'}" if same or anchored else _twice(problem, view),
         help="remove one of the two" if same else "remove one of the two, or merge what is below them",
     )
+
+
+def _lost(same: bool, anchored: bool) -> str:
+    return " with the same value" if same else "" if anchored else ": the first value is lost"
 
 
 def together(findings: Sequence[Finding]) -> Finding:
@@ -81,7 +87,9 @@ def together(findings: Sequence[Finding]) -> Finding:
     told, keys = joined(findings), list(dict.fromkeys(each.topic for each in findings))
     if len(keys) < 2 or len({each.location for each in findings}) > 1:
         return told
-    what = " with the same values" if told.severity is Severity.INFO else ": the first values are lost"
+    what = ": the first values are lost"
+    if told.severity is Severity.INFO:
+        what = "" if told.notes else " with the same values"
     return told._replace(message=f"the keys {listed(keys, _MOST_NAMED)} stand twice{what}")
 
 
@@ -96,6 +104,6 @@ def _causes(view: LaunchView) -> dict[int, str]:
     """For each file, by the identity of its source, its first keys that stand twice, and where."""
     found: dict[int, set[tuple[str, int, int]]] = {}
     for each in view.launch.noticed(YamlDuplicateKey):
-        if not each.same:
+        if not (each.same or each.anchored):
             found.setdefault(id(each.place.source), set()).add((each.key, *each.place.source.position(each.place.span.start)))
     return {source: f"{sorted(keys)[:_MOST_ALIKE]}" for source, keys in found.items()}

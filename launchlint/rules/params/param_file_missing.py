@@ -9,14 +9,15 @@ of `<set_parameters_from_file>`. The path is checked as it is after substitution
 roslaunch refuses the launch file, and with it every launch file that includes it. `ros2 launch` only warns where a node has the file, and
 starts it without its params: a warning here, too. It is also a warning where the file may well be there on the robot: a path outside of
 all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its own files (`/etc`, `/opt`,
-`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a relative path; where, in ROS 2, a
-relative path leads to a file of the workspace from a directory around it (`src/robot/config/arm.yaml`); where the path is
-made from an environment variable, whose value here says little; and where the file is made: by a command of `CMakeLists.txt`, from a
-template that lies beside it, by a node that writes it, also one of another launch file of the package, or by what `.gitignore` keeps out
-of the repository; where it lies in a git submodule that is not checked out, or in a directory with nothing but a README; where only the
-default of an arg leads there that all files which include this one override; and where that default is `none` or the like and files for
-other values are there. A directory that is missing is told once, with all files that would be in it, and so is one in which files are
-looked for that lie elsewhere, and one that lacks several files which one launch file names.
+`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; in `/tmp`, where programs write while they run; where
+an arg gives a relative path; where, in ROS 2, a relative path leads to a file of the workspace from a directory around it
+(`src/robot/config/arm.yaml`); where the path is made from an environment variable, whose value here says little; and where the file is
+made: by a command of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, also one of another launch file of
+the package, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked out, or in a
+directory with nothing but a README; where only the default of an arg leads there that all files which include this one override; and where
+that default is `none` or the like and files for other values are there. A directory that is missing is told once, with all files that
+would be in it, and so is one in which files are looked for that lie elsewhere, and one that lacks several files which one launch file
+names.
 
 ## Example
 
@@ -61,7 +62,7 @@ from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.out_of_share import leads_out, where
 from launchlint.rules.judging.python_text import reads_environment
-from launchlint.rules.judging.robot_file import advice, is_robots
+from launchlint.rules.judging.robot_file import advice, is_robots, is_temporary
 from launchlint.rules.judging.template import is_path_to_fill_in, is_template
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -126,8 +127,11 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         severity = Severity.INFO
         notes.append(where(left))
     robots = missing and maker is None and look and is_robots(problem.file, view.packages, root_of(problem.place.source))
-    if robots:
+    temporary = missing and look and is_temporary(problem.file, view.packages, root_of(problem.place.source))
+    if robots or temporary:
         severity = Severity.INFO
+    if temporary:
+        notes.append("what lies in /tmp is written while something runs, and gone after a restart")
     choice = unchosen(problem, problem.place.text, view) if look and maker is None else None
     if choice is not None:
         severity = Severity.INFO
@@ -158,7 +162,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         else maker.help
         if maker is not None
         else advice(path)
-        if robots
+        if robots or temporary
         else choice[1]
         if choice is not None
         else _advice(problem, near, view),
