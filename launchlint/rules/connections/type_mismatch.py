@@ -7,8 +7,8 @@ that rosbuild builds, or the package of the latter lies in the workspace, too: w
 same two programs with the same two types are told of once, also where several launch files start them, and so are all programs that take
 one of two such names for the other, and all that meet one program on one topic with another type than its own. In ROS 2 types of different
 names never meet, whatever is in them; it is an info where they differ as those of two releases of a public program do, whose messages
-moved to a package of their own (`turtlesim/msg/Pose` and `turtlesim_msgs/msg/Pose`), or whose speeds got a header with Jazzy (`Twist` and
-`TwistStamped`).
+moved to a package of their own (`turtlesim/msg/Pose` and `turtlesim_msgs/msg/Pose`), or from it (`opennav_docking_msgs`), or whose speeds
+got a header with Jazzy (`Twist` and `TwistStamped`).
 
 ## Why it matters
 
@@ -180,7 +180,12 @@ def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:
         return f"with Jazzy the speeds got a header, and what is known of {program} is what one release does"
     (mine, _, message), (theirs, _, same) = own.type.partition("/"), other.type.partition("/")
     short, long = sorted((mine, theirs), key=len)
-    if message != same or long not in (f"{short}_msgs", f"{short}_interfaces"):
+    if message != same:
+        return ""
+    package = program.partition("/")[0].partition("::")[0]
+    if package not in (mine, theirs) and mine in (f"{package}_msgs", f"{package}_interfaces"):
+        return f"{mine} has the messages of {package}, and what is known of {program} is what a release with others does"
+    if long not in (f"{short}_msgs", f"{short}_interfaces"):
         return ""
     return f"messages of {short} and {long} are of different releases, and what is known of {program} is what one of them does"
 

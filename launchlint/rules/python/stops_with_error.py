@@ -45,6 +45,8 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.ros2.problems import NothingToPop
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
+from launchlint.rules.judging.made_file import made
 from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.python_text import level, shown
 from launchlint.rules.rule import Rule
@@ -54,6 +56,7 @@ from launchlint.syntax.ros2.python.problems import StopsWithError
 RULE = Rule("LL949", "stops-with-error", Severity.ERROR, roslaunch="refuses")
 _PUSHES = {"configurations": "PushLaunchConfigurations", "environment": "PushEnvironment"}
 _LACKING = frozenset(("FileNotFoundError", "IsADirectoryError", "NotADirectoryError"))
+_ABSENT = late(r"'(/[^']+)'$")
 _LACKING_STATED = "ParameterBuilderFileNotFoundError"
 """What a build may mend that puts files where there are none in the sources: as Python says it, and as launch_param_builder does."""
 
@@ -71,7 +74,7 @@ def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[F
     who = f"this {problem.action}" if problem.action else "a function of this launch file" if problem.called else "this launch file"
     lacks = problem.error == _LACKING_STATED if problem.stated else problem.error in _LACKING
     severity = Severity.WARNING if lacks else level(problem)
-    notes = ("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",)
+    notes: tuple[str, ...] = ("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",)
     if problem.package:
         severity = Severity.INFO
         notes = (f"it looks for the package {problem.package} before that, which is not here",)
@@ -81,6 +84,11 @@ def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[F
     elif problem.lacking:
         severity = Severity.INFO
         notes = (f"so it is where nobody gives {problem.lacking} a value, on the command line or in a file that includes this one",)
+    absent = _ABSENT.search(problem.what) if problem.error == "FileNotFoundError" else None
+    maker = None if absent is None else made(absent[1], view, root)
+    if maker is not None:
+        severity = Severity.INFO
+        notes = (*notes, maker.why)
     yield RULE.at(
         problem.origin,
         f"{who} ends with an exception: {what}",
@@ -88,6 +96,7 @@ def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[F
         label="raised here" if problem.stated and not problem.related else "here",
         related=problem.related,
         notes=notes,
+        help="" if maker is None else maker.help,
         cause=f"{posixpath.dirname(problem.place.source.path)} {what}",
     )
 

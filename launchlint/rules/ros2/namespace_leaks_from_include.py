@@ -1,7 +1,8 @@
 """A namespace that an included file pushes is still there behind the include.
 
 What it does: it looks for a `<push_ros_namespace>` of an included file, outside of any group, that is in force where something else is
-started afterwards. A file that starts nothing itself is there to set something, and nothing is said of it.
+started afterwards. A file that starts nothing itself is there to set something, and nothing is said of it, nor of a
+namespace that is empty.
 
 ## Why it matters
 
@@ -57,6 +58,8 @@ RULE = Rule("LL918", "namespace-leaks-from-include", Severity.WARNING)
 
 def tell(problem: NamespaceLeft, view: object) -> Iterator[Finding]:
     """Say who gets it (launch_ros.actions.PushROSNamespace sets a launch configuration like any other)."""
+    if not problem.namespace.strip("/"):
+        return  # an empty one, which an arg may fill
     group = words_at(problem.origin).tag("group")
     yield RULE.at(
         problem.origin,

@@ -122,6 +122,9 @@ def tell(problem: ConflictingAttributes | ParameterForm, view: object) -> Iterat
         message, stops, advice = (words.format(tag=tag) for words in WORDS[reason])
     at = spot(view, problem.place)
     instead = None if at is None or reason != "param-sources" or attributes else instead_of_value(at.element)
+    slip = "" if at is None or reason != "param-sources" or attributes else misspelt_value(at.element)
+    if slip:
+        advice = "did you mean value?"
     if instead is not None:
         owner = ", which only <arg> has" if instead == "default" else ": <param> has no such attribute"
         advice = f'write value="…" instead of {instead}="…"{owner}'
@@ -143,6 +146,7 @@ def tell(problem: ConflictingAttributes | ParameterForm, view: object) -> Iterat
         help=advice,
         topic=reason,
         cause=f"{problem.place.source.path} {advice}" if reason == "param-sources" and not attributes else "",
+        shared_cause=f"{problem.place.source.path} {slip}" if slip else "",
         fix=_fix(problem, view),
     )
 
@@ -154,6 +158,15 @@ def instead_of_value(element: Element) -> str | None:
     known = TAGS["param"].known
     strange = [each for each in element.attributes if each not in known]
     return strange[0] if len(strange) == 1 and closest(strange[0], known) is None else None
+
+
+def misspelt_value(element: Element) -> str:
+    """The cause that LL104 and LL110 share: one slip in the name of a `<param>`'s only value; empty where it is none."""
+    if element.tag != "param" or not _VALUES.isdisjoint(element.attributes) or len(element.attributes) > MOST_ATTRIBUTES:
+        return ""
+    known = TAGS["param"].known
+    strange = [each for each in element.attributes if each not in known]
+    return f"value of {element.start_span.start}" if len(strange) == 1 and closest(strange[0], known) in _VALUES else ""
 
 
 def _fix(problem: ConflictingAttributes, view: object) -> Fix | None:

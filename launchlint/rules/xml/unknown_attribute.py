@@ -55,7 +55,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS2, Spot, fix, rename_attribute, spot, write_over
 from launchlint.rules.rule import Rule
-from launchlint.rules.xml.conflicting_attributes import instead_of_value
+from launchlint.rules.xml.conflicting_attributes import instead_of_value, misspelt_value
 from launchlint.rules.xml.missing_attribute import instead_of_required, name_instead
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownAttribute
@@ -110,6 +110,7 @@ def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[
     if tag == "rosparam" and name in ("name", "value") and _is_param(at):
         near, advice = None, "write <param>: it has a name and a value"
         cause = f"{problem.place.source.path} {problem.place.source.position(problem.place.span.start).line} param"
+    slip = "" if at is None else misspelt_value(at.element)
     said = "roslaunch never looks at it" if silent else "roslaunch prints a warning and drops it"
     notes = (said, belongs) if belongs and near is not None else (said,)
     yield RULE.at(
@@ -119,6 +120,7 @@ def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[
         notes=notes,
         help=advice,
         cause=cause,
+        shared_cause=f"{problem.place.source.path} {slip}" if slip else "",
         fix=None if near is None else _fix(name, near, sure=sure, at=at),
     )
 
