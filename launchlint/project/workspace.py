@@ -354,7 +354,8 @@ class OpenWorkspace:
     def _in_broken(self, guessed: Iterable[Finding], told: Iterable[Finding]) -> Iterator[Finding]:
         """What was found in texts that were recovered, where it stands in the broken ones, and is not told already.
 
-        What is broken itself is told of the text as it is, not of what was made of it: that can be broken, too, where nothing better is had.
+        What is broken itself is told of the text as it is, not of what was made of it: that can be broken, too, where nothing better
+        is had.
         """
         known = {finding.key for finding in told}
         for file, recovery in self.broken.items():
