@@ -10,8 +10,9 @@ span of that reference.
 from __future__ import annotations
 
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from copy import copy
+from itertools import accumulate
 
 from launchlint.problem import Problem
 from launchlint.source import Place, Source, Span
@@ -152,9 +153,12 @@ class Text:
     ``raw`` is what is written (inside the CDATA brackets), ``value`` what expat makes of it.
     """
 
-    __slots__ = ("_end", "_start", "cdata", "raw", "value")
+    __slots__ = ("_end", "_offsets", "_start", "cdata", "raw", "value")
+
+    _offsets: list[int] | None
 
     def __init__(self, value: str, raw: str, start: int, end: int, cdata: bool) -> None:
+        self._offsets = None
         self.value = value
         self.raw = value if raw == value else raw  # one string instead of two where nothing was changed
         self.cdata = cdata
@@ -168,6 +172,16 @@ class Text:
     def span(self) -> Span:
         """Where it is written."""
         return Span(self._start, self._end)
+
+    def offset(self, index: int) -> int:
+        """The source offset of ``value[index]`` (of its end for ``index == len(value)``)."""
+        offsets = self._offsets
+        if offsets is None and self.raw is not self.value:
+            # Looked for once: a text of megabytes may be YAML with a mistake in each of its lines. An empty list says "cannot be matched".
+            offsets = self._offsets = unit_offsets(self.raw, self.value, not self.cdata) or []
+        if not offsets or index >= len(offsets):
+            return min(self._start + index, self._end)
+        return self._start + offsets[index]
 
 
 class Comment:
@@ -202,6 +216,7 @@ class Element:
         "_name_end",
         "_start",
         "_start_end",
+        "_text_ends",
         "attributes",
         "children",
         "depth",
@@ -220,6 +235,7 @@ class Element:
         self.attributes: dict[str, Attribute] = {}
         self.children: list[Element] = []
         self.texts: list[Text] = []
+        self._text_ends: Sequence[int] = ()
         self.self_closed = False
         self._start = self._name_end = self._start_end = self._end_start = self._end = start
 
@@ -260,17 +276,12 @@ class Element:
 
     def text_offset(self, index: int) -> int:
         """The source offset of ``text[index]`` (of its end for ``index == len(text)``)."""
-        last = len(self.texts) - 1
-        for number, text in enumerate(self.texts):
-            length = len(text.value)
-            if index < length or number == last:
-                start, end = text.span
-                offsets = None if text.raw is text.value else unit_offsets(text.raw, text.value, not text.cdata)
-                if offsets is None or index >= len(offsets):
-                    return min(start + index, end)
-                return start + offsets[index]
-            index -= length
-        return self._start_end
+        if not self.texts:
+            return self._start_end
+        if len(self._text_ends) != len(self.texts):
+            self._text_ends = tuple(accumulate(len(text.value) for text in self.texts))
+        number = min(bisect_right(self._text_ends, index), len(self.texts) - 1)
+        return self.texts[number].offset(index - (self._text_ends[number - 1] if number else 0))
 
 
 class Document:

@@ -109,11 +109,14 @@ CONSTRUCTS = (
     _repeated("deleted params", '<param name="/a/p{}" value="1"/><rosparam command="delete" param="/a/p{}"/>'),
     _repeated("cleared groups", '<group ns="g{}" clear_params="true"><param name="p" value="1"/></group>'),
     _construct("keys of YAML", lambda count: launch("<rosparam>", times(count, "k{}: 1"), "</rosparam>")),
+    _construct("a key of YAML with anchors", lambda count: launch("<rosparam>", times(count, "k: &amp;a{} 1"), "</rosparam>")),
+    _construct("comments in YAML", lambda count: launch("<rosparam>\n", times(count, "k: 1 <!-- c -->"), "</rosparam>")),
     _construct("one key of YAML", lambda count: launch("<rosparam>", times(count, "k: 1"), "</rosparam>")),
     _construct("list of YAML", lambda count: launch("<rosparam>k: [" + times(count, "1", ", ") + "]</rosparam>")),
     _construct("depth of YAML", lambda count: launch("<rosparam>k: " + "[" * count + "]" * count + "</rosparam>")),
     _construct(
-        "anchors of YAML", lambda count: launch("<rosparam>\na0: &a0 [1]\n" + times(count, "a{+}: &a{+} [*a{}, *a{}]") + "\n</rosparam>")
+        "anchors of YAML",
+        lambda count: launch("<rosparam>\na0: &amp;a0 [1]\n", times(count, "a{+}: &amp;a{+} [*a{}, *a{}]"), "\n</rosparam>"),
     ),
     _repeated("args", '<arg name="a{}" default="1"/>'),
     _repeated("chain of args", '<arg name="a{+}" default="$(arg a{})"/>', before='<arg name="a0" default="1"/>'),

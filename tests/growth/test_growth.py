@@ -6,6 +6,7 @@ from math import log2
 from pathlib import Path
 
 import pytest
+from lxml import etree
 
 from tests.growth import ros1, ros2, ros2_python
 from tests.growth.work import calls
@@ -69,6 +70,14 @@ def test_check(construct: Construct, tmp_path: Path) -> None:
         bounds = {**LISTS, **WORK} if construct.product else LISTS
         counts.append(calls(("check", "--no-cache", "--jobs", "1", construct.entry), directory, bounds))
     assert exponent(counts) <= (STEEPEST_OF_DEPTH if construct.most < 1_000 else STEEPEST), counts
+
+
+@pytest.mark.parametrize("construct", CONSTRUCTS, ids=lambda construct: construct.name)
+def test_each_is_what_it_is_called(construct: Construct, tmp_path: Path) -> None:
+    """Not a file that is refused at its first mistake, however much of it follows."""
+    build(construct, SIZES[0], tmp_path)
+    for file in (*tmp_path.rglob("*.launch"), *tmp_path.rglob("*.xml")):
+        etree.parse(file, etree.XMLParser(huge_tree=True, resolve_entities=False))
 
 
 @pytest.mark.parametrize(("words", "name"), [(words, name) for words, names in OTHERS.items() for name in names])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 
 from launchlint.evaluate.block import MoreParameters, PrivateParameter, RunStep, Value
 from launchlint.evaluate.expression.errors import UnknownValue
@@ -23,6 +23,7 @@ from launchlint.evaluate.ros1.scope import Context, PrivateParameters, set_priva
 from launchlint.evaluate.ros1.scope_tags import check_quotes
 from launchlint.evaluate.ros1.substitution import resolve
 from launchlint.evaluate.ros1.typed_values import PARAMETER_TYPES, convert_value
+from launchlint.late import late
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
@@ -42,7 +43,8 @@ LONGEST_KEPT = 1 << 20
 """Characters of a YAML text whose parameters are kept for the next time."""
 SOURCES = ("value", "textfile", "binfile", "command")
 STEPS = ("load", "dump", "delete")
-_ANCHOR = re.compile(r"[ \t]*:[ \t]+&([^\s,\[\]{}]+)")
+_ANCHOR = late(r"[ \t]*:[ \t]+&([^\s,\[\]{}]+)")
+_ALIAS = late(r"\*([^\s,\[\]{}]+)")
 ROS2_KEY = "ros__parameters"
 """Below it stand the params of a node in a parameter file of ROS 2."""
 
@@ -235,10 +237,14 @@ def _in_text(element: Element, name: str | None) -> Any:
     return where
 
 
-def _is_anchored(content: str, end: int) -> bool:
-    """Whether the value behind the key that ends at ``end`` has an anchor, and ``content`` uses that."""
-    found = _ANCHOR.match(content, end)
-    return found is not None and re.search(rf"\*{re.escape(found[1])}(?![^\s,\]}}])", content) is not None
+def _anchored(content: str, ends: Iterable[int]) -> Iterator[bool]:
+    """Of each key, by where in ``content`` it ends, whether its value has an anchor that is used somewhere."""
+    used: frozenset[str] | None = None
+    for end in ends:
+        found = _ANCHOR.match(content, end)
+        if found is not None and used is None:
+            used = frozenset(_ALIAS.findall(content))  # once, however many keys there are
+        yield found is not None and used is not None and found[1] in used
 
 
 def _line(written: Source | None, content: str, start: int, end: int) -> Place | None:
@@ -304,12 +310,12 @@ def _load(
 
     file.progress.angles = True
     content, source = text
-    from_file = "file" in element.attributes
+    is_as_written = source is None and "file" not in element.attributes and bool(element.texts) and content == element.text
 
     def place(start: int, end: int) -> Place:
         if source is not None:
             return Place(source, Span(start, end))
-        if from_file or not element.texts or content != element.text:
+        if not is_as_written:
             return file.place(element.start_span)
         return file.place(_in_text(element, None)(start, end))
 
@@ -339,12 +345,12 @@ def _load(
         reason = "a value that is no dictionary needs the param attribute to say which parameter it is for"
         invalid(at, reason, "colon" if loaded.scalar_colon else "scalar")
         return
-    for duplicate in loaded.duplicates:
+    anchored = _anchored(content, (duplicate.first[1] for duplicate in loaded.duplicates))
+    for duplicate, is_anchored in zip(loaded.duplicates, anchored, strict=True):
         first, second = (_line(written, content, *span) or place(*span) for span in (duplicate.first, duplicate.second))
         related = ((first, "the first one"),)
         key = "/".join(map(str, duplicate.path))
-        file.record(YamlDuplicateKey(origin=Origin(second), related=related, key=key, same=duplicate.same_value,
-                                     anchored=_is_anchored(content, duplicate.first[1])))  # fmt: skip
+        file.record(YamlDuplicateKey(origin=Origin(second), related=related, key=key, same=duplicate.same_value, anchored=is_anchored))
     _notice_ros2(file, element, loaded, content, full, place)
     same = (file.document, element.index, "" if source is None else source.path, content, full, file.conditions)
     known = file.session.settings.get(same)
