@@ -155,10 +155,8 @@ class Text:
 
     __slots__ = ("_end", "_offsets", "_start", "cdata", "raw", "value")
 
-    _offsets: list[int] | None
-
     def __init__(self, value: str, raw: str, start: int, end: int, cdata: bool) -> None:
-        self._offsets = None
+        self._offsets: list[int] | None = None
         self.value = value
         self.raw = value if raw == value else raw  # one string instead of two where nothing was changed
         self.cdata = cdata

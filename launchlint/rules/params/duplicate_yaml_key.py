@@ -58,28 +58,26 @@ RULE = Rule("LL513", "duplicate-yaml-key", Severity.WARNING)
 _MOST_NAMED = 6
 _MOST_ALIKE = 20
 """Keys by which a copy is recognised."""
+_SAID = {"same": " with the same value", "anchored": "", "": ": the first value is lost"}
 
 
 def tell(problem: YamlDuplicateKey | KeyTwice, view: object) -> Iterator[Finding]:
     """Show both keys."""
     key, same = problem.key, problem.same
     anchored = isinstance(problem, YamlDuplicateKey) and problem.anchored
+    harmless = "same" if same else "anchored" if anchored else ""
     yield RULE.at(
         problem.origin,
-        f"the key {key} stands twice{_lost(same, anchored)}",
-        severity=Severity.INFO if same or anchored else None,
+        f"the key {key} stands twice{_SAID[harmless]}",
+        severity=Severity.INFO if harmless else None,
         label="the last one counts",
         # Of a text with substitutions only the element is known.
         related=tuple(each for each in problem.related if each[0] != problem.place),
         notes=("the first value is used by its anchor",) if anchored else (),
         topic=key,
-        cause=f"{problem.place.source.path} {'same' if same else 'anchored'}" if same or anchored else _twice(problem, view),
+        cause=f"{problem.place.source.path} {harmless}" if harmless else _twice(problem, view),
         help="remove one of the two" if same else "remove one of the two, or merge what is below them",
     )
-
-
-def _lost(same: bool, anchored: bool) -> str:
-    return " with the same value" if same else "" if anchored else ": the first value is lost"
 
 
 def together(findings: Sequence[Finding]) -> Finding:
