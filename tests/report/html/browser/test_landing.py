@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from playwright.sync_api import expect
 
 from tests.report.html.browser.reading import boxes, drawn, fragment, lines
 
@@ -16,7 +17,10 @@ COUNTED = """(() => {
 
 
 def titles(page) -> list[str]:
-    return page.locator(".card:visible h3").all_inner_texts()
+    shown = page.locator(".card:visible h3")
+    # What was out of sight (content-visibility) shows no text before the next frame.
+    expect(shown.first).not_to_have_text("", use_inner_text=True)
+    return shown.all_inner_texts()
 
 
 def test_a_card_for_each_launch_file_the_worst_first(open_report):

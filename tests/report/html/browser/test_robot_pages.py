@@ -72,7 +72,7 @@ def test_a_card_for_each_launch_file_what_needs_attention_first(repository: Repo
     assert f"{shown - more} nodes started" in head
     # A card opens its launch file, whose head has the number of the card.
     card = page.locator(f".card[data-entry='{repository.entries.index(repository.main)}']")
-    (number,) = re.findall(r"\d+ nodes", card.locator(".card-facts").inner_text())
+    (number,) = re.findall(r"\d+ nodes", str(card.locator(".card-facts").text_content()))
     card.get_by_role("link").click()
     drawn(page)
     assert number in page.locator("#counts li").all_inner_texts()
