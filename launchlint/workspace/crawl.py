@@ -89,8 +89,9 @@ def crawl_all(
         links: set[str] = set()
         try:
             if directory.startswith(SYSTEM_SHARE):  # nothing deeper counts there, and its directories may hold thousands of files
-                markers.update(name for name in ends if os.path.isfile(directory + "/" + name))
+                markers.update(name for name in way.manifests if os.path.isfile(f"{directory}/{name}"))
                 if markers:
+                    markers.update(name for name in ends if os.path.isfile(f"{directory}/{name}"))
                     _note_packages(directory, markers, way, found, held)
                 continue
             with os.scandir(directory) as scan:

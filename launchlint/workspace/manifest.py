@@ -163,6 +163,7 @@ def identify(data: bytes) -> Identity:
     path: list[str] = []
     texts: list[str] = []
     found = {"name": False, "metapackage": False}
+    only_name = b"metapackage" not in data and _is_ascii_like(data)
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         path.append(tag)
@@ -181,6 +182,8 @@ def identify(data: bytes) -> Identity:
         path.pop()
         if len(path) == 1:
             parser.CharacterDataHandler = None
+            if only_name and found["name"]:  # the rest need only be well-formed, and the parser sees that alone
+                parser.StartElementHandler = parser.EndElementHandler = None
 
     parser.StartElementHandler = start
     parser.EndElementHandler = end
@@ -199,6 +202,12 @@ def identify(data: bytes) -> Identity:
         if not name:
             return Identity("", False, "its <name> is empty")
     return Identity(name, found["metapackage"], "")
+
+
+def _is_ascii_like(data: bytes) -> bool:
+    """Whether letters of ASCII are one byte each in ``data``, and the same as in UTF-8; in doubt they are not."""
+    head = data.partition(b"?>")[0].lower()
+    return b"\0" not in head and (b"encoding" not in head or b"utf-8" in head)
 
 
 def read_manifest(path: str, shown: str | None = None) -> Manifest:

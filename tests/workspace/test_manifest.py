@@ -38,6 +38,7 @@ FORMAT_2 = """<?xml version="1.0"?>
         ("<package><name>a</name><export><metapackage/></export></package>", Identity("a", True, "")),
         ("<package><export><metapackage/></export></package>", Identity("", True, "")),
         ("<package><name>a</name><metapackage/></package>", Identity("a", False, "")),
+        ("<package><x><name>b</name></x><name>a</name><name>b</name></package>", Identity("a", False, "")),
         ("<package><name>a</name><x><metapackage/></x></package>", Identity("a", False, "")),
         ("<package/>", Identity("", False, "it has no <name>")),
         ("<package><name> </name></package>", Identity("", False, "its <name> is empty")),
@@ -55,6 +56,12 @@ def test_identity_by_declared_encoding() -> None:
     assert identify(text.format("ISO-8859-1").encode("latin-1")).name == "käse"
     assert identify(text.format("utf-16").encode("utf-16")).name == "käse"
     assert identify(text.format("utf-8").encode("utf-8-sig")).name == "käse"
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_a_metapackage_in_any_encoding(encoding: str) -> None:
+    text = f'<?xml version="1.0" encoding="{encoding}"?><package><name>a</name><export><metapackage/></export></package>'
+    assert identify(text.encode(encoding)) == Identity("a", True, "")
 
 
 @pytest.mark.parametrize(
