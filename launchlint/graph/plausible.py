@@ -20,6 +20,7 @@ from launchlint.graph.connections import Doubt, Instance
 from launchlint.graph.earlier import Earlier
 from launchlint.graph.names import absolute, around
 from launchlint.graph.parameters import Parameters
+from launchlint.graph.programs import may_talk, spelled
 from launchlint.late import late
 from launchlint.library.terms import CATEGORIES
 from launchlint.model import Launch
@@ -133,6 +134,10 @@ class Strangers:
                 names = (name for value in include.arguments.values() if isinstance(value, str) for name in _names([value], "/", "/"))
                 possible = Possible("", f"an include could not be followed: {include.file}", False, True)
                 strangers.append(_Stranger(possible, None, frozenset(names), frozenset()))
+        for program in self._launch.programs:
+            if may_talk(program):
+                possible = Possible("", f"it is not known what {spelled(program)} does, which is started here", False, True)
+                strangers.append(_Stranger(possible, None, frozenset(_names(program.command, "/", "/")), frozenset()))
         if not self._launch.complete and not any(not each.possible.node for each in strangers):
             strangers.append(
                 _Stranger(Possible("", "not all of the launch file could be followed", False, True), None, frozenset(), frozenset())

@@ -2,7 +2,7 @@
 
 It has a command that does not exist, too few or too many words, or another substitution or parenthesis inside it. The
 commands are `find`, `env`, `optenv`, `dirname`, `anon` and `arg`; `$(eval …)` must be the whole value. The same mistake is told once in a
-file.
+file. It is an info where it holds what a tool fills in before anybody launches the file (`{{ robot }}`).
 
 In ROS 2 there are others (`var`, `find-pkg-share`, `env`, `eval` …), they may stand in each other, and exactly one blank stands between
 their words. What is wrong with one is found when the file is read, also under a condition that is false.
@@ -59,6 +59,7 @@ from launchlint.evaluate.problems import BadSubstitution
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.rules.edits import LOADS, Spot, fix, replace, set_value, spot
+from launchlint.rules.judging.template import FILLED_IN, has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
 from launchlint.syntax.parts import Malformed, Substitution, Word
@@ -75,6 +76,7 @@ MOST_WORDS = 3
 _ASKING = frozenset(("find", "package", "pkg"))
 _PART = late(r"[^a-z]+")
 _NAME = late(r"[A-Za-z][\w-]*")
+_OPEN_EVAL = "close it with ): the last character of the value must be the ) of $(eval"
 EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
 
 
@@ -104,15 +106,18 @@ def tell(
     if open_eval:
         reason = "its last ) is missing"
     unknown = bool(command) and command not in (*COMMANDS, "eval") and "inside" not in reason
+    template = has_placeholder(text)
     yield RULE.at(
         problem.origin,
         f"{text[:60]}{'' if text.endswith(')') else '…'} cannot be resolved: {reason}",
-        severity=Severity.ERROR if problem.refused else Severity.WARNING,
-        notes=("roslaunch stops when it gets here",),
-        help="close it with ): the last character of the value must be the ) of $(eval" if open_eval else _advice(reason, command, words),
-        fix=_closed(at) if open_eval else _fix(problem, view, command, words) if unknown else None,
+        severity=Severity.INFO if template else Severity.ERROR if problem.refused else Severity.WARNING,
+        notes=("roslaunch stops when it gets here", *((FILLED_IN,) if template else ())),
+        help="" if template else _OPEN_EVAL if open_eval else _advice(reason, command, words),
+        fix=_closed(at) if open_eval else _fix(problem, view, command, words) if unknown and not template else None,
         label="not a command" if unknown else "",
-        cause=f"{f'{problem.place.source.path} {command}' if unknown else text} {reason} {problem.refused}",
+        cause=f"{problem.place.source.path} {FILLED_IN}"
+        if template
+        else f"{f'{problem.place.source.path} {command}' if unknown else text} {reason} {problem.refused}",
     )
 
 

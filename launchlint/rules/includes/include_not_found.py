@@ -4,7 +4,8 @@ What it does: it looks for the `file` of every `<include>` whose name can be wor
 roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute names outside
 the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may install. It is an info
 where only the default of an arg leads there that all files which include this one override, or a default such as `none` that stands for
-no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
+no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for those of a distribution of ROS
+(`/opt/ros/…`) that is not installed here, for names made from an environment
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
 keeps out of the repository; for one in a git submodule that is not checked out; for one that roslaunch is to find in a package which
@@ -70,8 +71,8 @@ from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made, malformed
 from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
+from launchlint.rules.judging.robot_file import ABSENT_ROS, INSTALL, is_of_absent_ros, is_robots
 from launchlint.rules.judging.robot_file import advice as robots_advice
-from launchlint.rules.judging.robot_file import is_robots
 from launchlint.rules.judging.takes_args import is_alike, passed_at, takes
 from launchlint.rules.judging.template import has_placeholder, is_called_template, is_template
 from launchlint.rules.rule import Rule
@@ -147,6 +148,9 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         severity, advice = Severity.INFO, maker.help
     elif outside and installed is None and is_robots(file, view.packages, root):
         severity, advice = Severity.INFO, robots_advice(file)
+    elif outside and is_of_absent_ros(file):
+        severity, advice = Severity.INFO, INSTALL
+        notes.append(ABSENT_ROS)
     choice = unchosen(problem, written, view) if maker is None and installed is None and not relative and not environment else None
     if choice is not None:
         severity, advice, repair = Severity.INFO, choice[1], None

@@ -260,9 +260,9 @@ def _absolute(value: str, tag: str) -> _Fault | None:
     instead = f"$(find {packaged[1]})/{packaged[2]}" if packaged else ""
     home = re.search(_HOME, value)
     start = "/".join(value.split("/")[:3]) if home is None else home[0]
-    return _Fault(
-        f"{value} is an absolute path", "it is there on this machine only", f"write {instead or _ANY_NAME}", cause=start, instead=instead
-    )
+    ros = re.match(r"/opt/ros/(\w+)/", value)
+    note = "it is there on this machine only" if ros is None else f"it is there where {ros[1]} is installed only"
+    return _Fault(f"{value} is an absolute path", note, f"write {instead or _ANY_NAME}", cause=start, instead=instead)
 
 
 class _Path(NamedTuple):

@@ -14,6 +14,8 @@ _DIRECTIONS = frozenset(
     frozenset(pair)
     for pair in (("from", "to"), ("rx", "tx"), ("receive", "send"), ("received", "sent"), ("recv", "send"), ("incoming", "outgoing"))
 )
+_SIDES = frozenset((*_DIRECTIONS, frozenset(("in", "out")), frozenset(("input", "output"))))
+"""Of namespaces: what a device hears and what it says, as ``/fmu/in`` and ``/fmu/out`` of a flight controller."""
 MOST_KEPT = 1 << 15
 """Pairs of names whose relation is kept: the same ones meet in each configuration of a launch, and in each launch of a robot."""
 _SHORTEST_SLIP = 4
@@ -30,7 +32,8 @@ def relation(left: str, right: str) -> str:
     namespace of one is the other's without something, as in ``/ns/x`` and ``/x``, or ``/a/b/x`` and ``/a/x``. ``words``: namespaces so
     related or equal, and the last part of one begins or ends with that of the other, as in ``radius_cmd_vel``. ``sibling``: the
     same last part in other namespaces. ``twin``: they differ in numbers only or in a mark such as ``_l`` and ``_r``, as those of two
-    robots or cameras do, or are the two directions of one line to the outside: ``from_can_bus`` and ``to_can_bus``. Empty: none of these.
+    robots or cameras do, or are the two directions of one line to the outside: ``from_can_bus`` and ``to_can_bus``, or lie in the namespaces
+    of the two, ``/fmu/in`` and ``/fmu/out``. Empty: none of these.
     """
     if left == right:
         return ""
@@ -38,6 +41,8 @@ def relation(left: str, right: str) -> str:
         return TWIN
     *outer, last = left[1:].split("/")
     *other, end = right[1:].split("/")
+    if _are_two_sides(outer, other):
+        return TWIN
     if last == end:
         if _is_within(outer, other) or _is_within(other, outer):
             return NAMESPACE
@@ -69,6 +74,11 @@ def _are_two_directions(left: str, right: str) -> bool:
     words, others = _SEPARATORS.split(left), _SEPARATORS.split(right)
     apart = [(word, other) for word, other in zip(words, others, strict=False) if word != other]
     return len(words) == len(others) and len(apart) == 1 and frozenset(apart[0]) in _DIRECTIONS
+
+
+def _are_two_sides(outer: list[str], other: list[str]) -> bool:
+    apart = [frozenset(pair) for pair in zip(outer, other, strict=False) if pair[0] != pair[1]]
+    return len(outer) == len(other) and len(apart) == 1 and apart[0] in _SIDES
 
 
 def _is_slip(left: str, right: str) -> bool:

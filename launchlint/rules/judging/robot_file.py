@@ -10,6 +10,9 @@ from launchlint.workspace.looking import exists
 from launchlint.workspace.packages import Packages
 
 _SYSTEM = re.compile(r"/(?:etc|opt(?!/ros/)|var|usr/local|media|mnt|dev|home|root)/")
+_ROS = re.compile(r"/opt/ros/[a-z]+(?=/)")
+ABSENT_ROS = "it belongs to a distribution of ROS that is not installed here"
+INSTALL = "install that, or name the file by its package"
 _FEWEST_STEPS = 2
 _MOST_STEPS = 12
 
@@ -24,6 +27,12 @@ def is_robots(path: str, packages: Packages, root: str) -> bool:
     if _SYSTEM.match(path) is None and not _is_elsewhere_here(path, root):
         return False
     return packages.package_of(path) is None
+
+
+def is_of_absent_ros(path: str) -> bool:
+    """Whether ``path`` lies in the installation of a distribution of ROS that is not installed here: there the file may well be."""
+    found = _ROS.match(path)
+    return found is not None and not exists(found[0])
 
 
 def _is_elsewhere_here(path: str, root: str) -> bool:

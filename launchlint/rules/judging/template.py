@@ -7,9 +7,12 @@ import re
 
 from launchlint.late import late
 
+FILLED_IN = "it looks like a template that is filled in before anybody launches it"
+"""What a finding says of a file that holds something to be replaced."""
 _PLACEHOLDER = late(
     r"""\[[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\]              # of MoveIt's Setup Assistant
-    | (?<![^\W_])__[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*__(?![^\W_]) | @[A-Za-z]\w*@ | \{\{\s*\w[\w. |-]*\}\}
+    | (?<![^\W_])__[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*__(?![^\W_]) | @[A-Za-z]\w*@
+    | \{\{-?\s*\w[^{}\n]{0,100}\}\} | \{%-?\s*[a-z][^%\n]{0,200}%\}    # of Jinja
     | ["'/)\s]<(?:[Yy]our|[Mm]y|[Tt]he|[Ss]ome|YOUR|MY|THE|SOME)[ _-][\w -]+> | ="<[A-Za-z][\w -]*>"
     """,
     re.VERBOSE,
@@ -35,7 +38,7 @@ _PATH_TO_FILL_IN = late(
 
 def has_placeholder(text: str) -> bool:
     """Whether ``text`` holds something that a tool or a reader replaces: ``[ROBOT_NAME]``, as in what MoveIt's Setup Assistant starts from,
-    ``__robot__``, ``@ROBOT@`` of CMake, ``{{ robot }}``, ``<your-robot>``.
+    ``__robot__``, ``@ROBOT@`` of CMake, ``{{ robot }}`` and ``{% if robot %}`` of Jinja, ``<your-robot>``.
     """
     return _PLACEHOLDER.search(text) is not None
 

@@ -9,7 +9,8 @@ of `<set_parameters_from_file>`. The path is checked as it is after substitution
 roslaunch refuses the launch file, and with it every launch file that includes it. `ros2 launch` only warns where a node has the file, and
 starts it without its params: a warning here, too. It is also a warning where the file may well be there on the robot: a path outside of
 all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its own files (`/etc`, `/opt`,
-`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; in `/tmp`, where programs write while they run; where
+`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; in `/tmp`, where programs write while they run; in a
+distribution of ROS (`/opt/ros/…`) that is not installed here; where
 an arg gives a relative path; where, in ROS 2, a relative path leads to a file of the workspace from a directory around it
 (`src/robot/config/arm.yaml`); where the path is made from an environment variable, whose value here says little; and where the file is
 made: by a command of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, also one of another launch file of
@@ -62,7 +63,7 @@ from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.out_of_share import leads_out, where
 from launchlint.rules.judging.python_text import reads_environment
-from launchlint.rules.judging.robot_file import advice, is_robots, is_temporary
+from launchlint.rules.judging.robot_file import ABSENT_ROS, INSTALL, advice, is_of_absent_ros, is_robots, is_temporary
 from launchlint.rules.judging.template import is_path_to_fill_in, is_template
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -130,6 +131,10 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     temporary = missing and look and is_temporary(problem.file, view.packages, root_of(problem.place.source))
     if robots or temporary:
         severity = Severity.INFO
+    absent = missing and is_of_absent_ros(problem.file)
+    if absent:
+        severity = Severity.INFO
+        notes.append(ABSENT_ROS)
     if temporary:
         notes.append("what lies in /tmp is written while something runs, and gone after a restart")
     choice = unchosen(problem, problem.place.text, view) if look and maker is None else None
@@ -163,6 +168,8 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         if maker is not None
         else advice(path)
         if robots or temporary
+        else INSTALL
+        if absent
         else choice[1]
         if choice is not None
         else _advice(problem, near, view),

@@ -48,7 +48,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import malformed
-from launchlint.rules.judging.template import has_placeholder, is_called_template
+from launchlint.rules.judging.template import FILLED_IN, has_placeholder, is_called_template
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import MalformedXml
 from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, TooDeep
@@ -90,7 +90,7 @@ def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: 
     template = has_placeholder(source.line(source.position(span.start).line)) or (alone and is_called_template(source.path))
     if template:
         severity, topic = Severity.INFO, TEMPLATE
-        notes.append("it looks like a template that is filled in before anybody launches it")
+        notes.append(FILLED_IN)
     elif source.text.startswith("#!"):
         severity, cause = Severity.INFO, "a script"
         message, advice = (
