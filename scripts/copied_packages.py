@@ -5,7 +5,8 @@
 
 Each directory holds one repository per directory, called ``owner+name``. Taken are facts only: the name of each package, and
 a mark of the addresses of its maintainers and authors (REP 127, REP 140). Of the public projects (``--project``) all packages are taken, of
-the others those that the repositories of two owners or more hold with the same people.
+the others those that the repositories of two owners or more hold with the same people. What the list has already is kept: of what it was made from
+not all is laid out any more.
 """
 
 from __future__ import annotations
@@ -43,6 +44,13 @@ def packages(directory: Path) -> Iterator[tuple[str, Key]]:
             yield owner, (manifest.name, manifest.people)
 
 
+def listed(path: Path) -> dict[str, set[str]]:
+    """What stands in the list: the marks of each name."""
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    rows = (each.split("\t") for each in lines if not each.startswith("#"))
+    return {name: set(marks.split()) for name, marks in rows}
+
+
 def main() -> int:
     """Write the list."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
@@ -58,16 +66,16 @@ def main() -> int:
             if directory in options.project:
                 taken.add(key)
     taken |= {key for key, several in owners.items() if len(several) >= SEVERAL}
-    marks: dict[str, list[str]] = {}
+    marks = listed(options.output)
     for name, people in taken:
-        marks.setdefault(name, []).append(mark(name, people))
+        marks.setdefault(name, set()).add(mark(name, people))
     lines = [
         "# Packages that are copied: name, tab, marks of whose they are. Sorted by name in byte order.",
         "# Facts from public repositories, written by scripts/copied_packages.py.",
         *(f"{name}\t{' '.join(sorted(marks[name]))}" for name in sorted(marks)),
     ]
     options.output.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    print(f"{len(taken)} packages of {len(marks)} names written to {options.output.name}", file=sys.stderr)
+    print(f"{sum(map(len, marks.values()))} packages of {len(marks)} names written to {options.output.name}", file=sys.stderr)
     return 0
 
 

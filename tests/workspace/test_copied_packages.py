@@ -52,9 +52,11 @@ def test_how_the_list_is_made(tmp_path: Path) -> None:
         (tmp_path / directory / "package.xml").write_text(MANIFEST.format(name=name, who=who))
     output = tmp_path / "list.txt"
     words = [str(each) for each in ("--project", tmp_path / "projects", "--seen", tmp_path / "seen", "--output", output)]
+    output.write_text("copied\t00000000\nkept\t11111111 22222222\n")
     subprocess.run([sys.executable, ROOT / "scripts" / "copied_packages.py", *words], check=True, capture_output=True)
     found = PublicPackages(str(output))
     assert {name: found[name] for name in found} == {
-        "copied": (mark("copied", ["author@slam.org"]),),
+        "copied": ("00000000", mark("copied", ["author@slam.org"])),
         "driver": (mark("driver", ["maker@lidars.org"]),),
+        "kept": ("11111111", "22222222"),
     }
