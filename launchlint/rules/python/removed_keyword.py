@@ -2,7 +2,8 @@
 
 `node_executable`, `node_name`, `node_namespace` and `node_plugin` are those of Foxy and before; since Galactic they are `executable`,
 `name`, `namespace` and `plugin`. Where the repository's own files (README, images, workflows) name no other distribution than these old
-ones, it is an information, and a warning where they name both.
+ones, it is an information, and a warning where they name both. Where such a keyword stands in the place of the only argument that must be
+given, as `plugin` of a `Node` without `executable`, that is told here, and not by LL928 as well.
 
 ## Why it matters
 
@@ -62,7 +63,12 @@ def tell(problem: UnknownKeyword, view: object) -> Iterator[Finding]:
         message = f"{callee} does not take {keyword} any more: since {problem.since.capitalize()} it is {new or 'called otherwise'}"
     else:
         message = f"{callee} does not take {keyword}"
-    notes = stops(f"a TypeError: got an unexpected keyword argument '{keyword}'")
+    if problem.missing:
+        notes = stops(f"a TypeError: missing required argument '{problem.missing}'")
+        advice = f"did you mean {near}?" if near == problem.missing else f"write {problem.missing}=…, which it must be given"
+    else:
+        notes = stops(f"a TypeError: got an unexpected keyword argument '{keyword}'")
+        advice = f"write {new}" if new else f"did you mean {near}?" if near else "take it out"
     severity = level(problem)
     if problem.still:
         still = " and ".join(each.capitalize() for each in problem.still)
@@ -75,8 +81,8 @@ def tell(problem: UnknownKeyword, view: object) -> Iterator[Finding]:
         severity=severity,
         label=f"{new} today" if problem.since and new else "no such keyword",
         notes=notes,
-        help=f"write {new}" if new else f"did you mean {near}?" if near else "take it out",
-        fix=_fix(problem, near),
+        help=advice,
+        fix=_fix(problem, near) if problem.missing in ("", near) else None,
         topic=keyword,
         cause=f"since {problem.since} {problem.still}" if problem.since else f"{problem.place.source.path} {callee} {keyword}",
     )

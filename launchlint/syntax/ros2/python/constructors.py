@@ -116,6 +116,10 @@ def wrong_shape(given: Given, meant: Meant) -> Iterator[Problem]:
     stray = [name for name in given.keywords if name not in known.arguments]
     replacements = {name: _replacement(given, name) for name in stray}
     free = tuple(name for name in known.arguments if name not in given.values)
+    instead = {replacement for replacement, _ in replacements.values()}
+    lacking = [name for name in known.arguments if name in known.required and name not in given.values and name not in instead]
+    unknown = [name for name in stray if not any(replacements[name]) and newer(known.name, name, distro) is None]
+    alone = len(unknown) == len(lacking) == 1 and given.count <= known.positional and not given.open
     for name in stray:
         origin = Origin(given.keyword_at(name))
         since = newer(known.name, name, distro)
@@ -136,10 +140,10 @@ def wrong_shape(given: Given, meant: Meant) -> Iterator[Problem]:
             since=removed,
             known=free,
             still=still,
+            missing=lacking[0] if alone and name in unknown else "",
         )
         if replacement and not refused:
             given.rename(name, replacement)
-    lacking = [name for name in known.arguments if name in known.required and name not in given.values]
     if given.count > known.positional:
         extra = tuple(given.positional_at(number) for number in range(known.positional, given.count))
         named = [name for name in lacking if name in known.arguments[known.positional :]]
@@ -157,12 +161,10 @@ def wrong_shape(given: Given, meant: Meant) -> Iterator[Problem]:
             related=((given.positional_at(0), "the first of them"),) if listed else (),
         )
         lacking = lacking[len(extra) :]
-    instead = {replacement for replacement, _ in replacements.values()}
-    if given.open:
+    if given.open or alone:
         return
     for name in lacking:
-        if name not in instead:
-            yield MissingArgument(origin=Origin(given.at), refused=True, callee=given.callee, argument=name)
+        yield MissingArgument(origin=Origin(given.at), refused=True, callee=given.callee, argument=name)
 
 
 def _replacement(given: Given, keyword: str) -> tuple[str, str]:

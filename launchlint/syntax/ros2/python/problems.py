@@ -25,6 +25,7 @@ class UnknownKeyword(Problem):
 
     ``replacement`` is what has taken its place ``since`` a distribution, where it once was one. ``known`` are those that are not given.
     ``still`` are distributions that the file is for, too, and that take it, oldest first; ``refused`` is not set where there are no others.
+    ``missing`` is the only argument that must be given and is not, where this keyword is the only strange one.
     """
 
     callee: str
@@ -33,6 +34,7 @@ class UnknownKeyword(Problem):
     since: str
     known: tuple[str, ...]
     still: tuple[str, ...]
+    missing: str
 
 
 class KeywordNotInDistribution(Problem):
