@@ -32,8 +32,8 @@ def relation(left: str, right: str) -> str:
     namespace of one is the other's without something, as in ``/ns/x`` and ``/x``, or ``/a/b/x`` and ``/a/x``. ``words``: namespaces so
     related or equal, and the last part of one begins or ends with that of the other, as in ``radius_cmd_vel``. ``sibling``: the
     same last part in other namespaces. ``twin``: they differ in numbers only or in a mark such as ``_l`` and ``_r``, as those of two
-    robots or cameras do, or are the two directions of one line to the outside: ``from_can_bus`` and ``to_can_bus``, or lie in the namespaces
-    of the two, ``/fmu/in`` and ``/fmu/out``. Empty: none of these.
+    robots or cameras do, or are the two directions of one line to the outside: ``from_can_bus`` and ``to_can_bus``; or their namespaces are
+    these, ``/fmu/in`` and ``/fmu/out``. Empty: none of these.
     """
     if left == right:
         return ""

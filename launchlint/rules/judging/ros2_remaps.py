@@ -16,6 +16,8 @@ from launchlint.source import Origin
 from launchlint.spelling import closest
 
 _EVERYWHERE = HUBS | {"/parameter_events"}
+_CLOCK = "clock"
+_SIMULATED = "use_sim_time"
 _MOST_NAMES = 6
 _OF_NODES = (
     *PARAMETER_SERVICES,
@@ -73,6 +75,12 @@ def _has(instance: Instance, names: dict[str, str], applied: Applied) -> bool:
     return derived or any(doubt.category != "params" and doubt.may_be(source) for doubt in instance.doubts)
 
 
+def _may_run_on_simulated_time(instance: Instance) -> bool:
+    """Whether the node hears the clock, and so a remap of it may matter (rclcpp.TimeSource); where its params are not known it may."""
+    own = instance.node.own
+    return own is None or own.get(_SIMULATED, ("", False))[1] is not False
+
+
 def _meant(applied: Applied, names: dict[str, str]) -> str:
     """The one name of the code that lies in a namespace, or is private, and that the remap takes for a global one; else nothing."""
     if not applied.rule.source.startswith("/"):
@@ -115,18 +123,22 @@ def _of_other(rule: Rule, miss: Miss) -> Finding:
     anyhow = applied.target in miss.names
     inside = f"{instance.namer.namespace.rstrip('/')}/"
     whole = next((each for each in miss.names if applied.source.endswith(each) and inside != "/" and each.startswith(inside)), "")
+    kept = last == _CLOCK and not _may_run_on_simulated_time(instance)
+    if kept:
+        near = None
+        notes.append("the node runs on the time of the machine: the remap may wait for a simulation")
     if whole:
         notes.append(f"it would act if this file were included in the namespace {applied.source.removesuffix(whole)}")
     if anyhow:
         near = None
     elif not own:
         notes.append(f"{instance.name} has no names of its own")
-    elif near is None:
+    elif near is None and not kept:
         notes.append(f"the names of {instance.name} are {listed(own, _MOST_NAMES)}")
     return rule.at(
         miss.origin,
         f"the remap of {written} does nothing: {instance.name} ({instance.program}) has no such name",
-        severity=None if own and not anyhow and not whole else Severity.INFO,
+        severity=None if own and not anyhow and not whole and not kept else Severity.INFO,
         label="no such name",
         notes=tuple(notes),
         help=f"remove it: {applied.target} is what the node uses anyhow"
@@ -134,7 +146,7 @@ def _of_other(rule: Rule, miss: Miss) -> Finding:
         else f"did you mean {_spelled(near)}?"
         if near is not None
         else "remove it",
-        cause=f"{instance.program} {written}",
+        cause=f"{instance.program} {written}{' in vain' if kept else ''}",
     )
 
 

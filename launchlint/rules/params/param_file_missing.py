@@ -89,7 +89,9 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes.append("the path is made from an environment variable, which may be another one on the robot")
     elif problem.elsewhere:
         notes.append("it is in no package that is here, so that it may be there on the robot")
-    name = path.rpartition("/")[2] or path
+    name = path if posixpath.dirname(path) == "/" else posixpath.basename(path) or path
+    if missing and view.dialect.name == ROS2 and path.startswith("/") and "." not in name and problem.place.source.path.endswith(".py"):
+        notes.append("a text among the parameters of a node is the name of a file; params stand in a dictionary")
     severity = None
     installed = (
         installed_from(problem.file, view.packages) if missing and not problem.relative and not _is_built(problem.file, view) else None

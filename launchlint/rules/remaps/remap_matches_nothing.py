@@ -20,7 +20,8 @@ All remaps of a program for which nothing better is known than that it has no su
 a file, and the same remap of the
 same program in several files.
 
-In ROS 2 a remap acts on topics and services; that of a global name which the node has in a namespace is told by LL948.
+In ROS 2 a remap acts on topics and services; that of a global name which the node has in a namespace is told by LL948. It is an info for
+the clock of a node that runs on the time of the machine.
 
 A remap acts on whole names only: `camera` does not remap `camera/image`, unless the code makes a NodeHandle of `camera`.
 
