@@ -5,8 +5,8 @@
 
 Each directory holds one repository per directory, called ``owner+name``. Taken are facts only: the name of each package, and
 a mark of the addresses of its maintainers and authors (REP 127, REP 140). Of the public projects (``--project``) all packages are taken, of
-the others those that the repositories of two owners or more hold with the same people. What the list has already is kept: of what it was made from
-not all is laid out any more.
+the others those that the repositories of two owners or more hold with the same people. What the list has already is kept: not
+all of what it was made from is laid out any more.
 """
 
 from __future__ import annotations

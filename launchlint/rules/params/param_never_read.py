@@ -50,12 +50,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
+from launchlint.evaluate.problems import UndeclaredArg
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.graph.connections import Instance
 from launchlint.late import late
 from launchlint.library.lookup import Library
 from launchlint.model import ROS2, ParameterSetting
 from launchlint.rules.edits import Edits, fix, set_value, spot
+from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.judging.params_read import UNIVERSAL, declared_by
 from launchlint.rules.rule import Fine, Rule
@@ -259,6 +261,7 @@ def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: Gr
         help=help_,
         topic=inner,
         cause=_cause(setting, owner, inner, elsewhere, near, several=several, as_default=as_default),
+        shared_cause=_misspelt_arg(setting, near, view),
         fix=_fix(setting, owner, inner, candidates[0], view) if elsewhere is None and len(candidates) == 1 and not as_default else None,
     )
 
@@ -277,6 +280,13 @@ def _cause(
         wrong, right = _wrong_word(inner, near)
         return f"{owner.program} {_NUMBER.sub('#', wrong)} for {_NUMBER.sub('#', right)}{default}"  # of one that is written for each arm
     return f"{path}: {owner.program}" if several else f"{owner.program} {inner}"
+
+
+def _misspelt_arg(setting: ParameterSetting, near: str | None, view: GraphView) -> str:
+    """The cause that LL201 and LL206 tell where the value asks for an arg by the same slip that the name of the param has; else none."""
+    name, source = setting.name.rpartition("/")[2], setting.origin.place.source
+    asked = (each for each in view.launch.noticed(UndeclaredArg) if each.name == name and each.place.source is source)
+    return never_declared(source.path, name) if near is not None and any(near in each.known for each in asked) else ""
 
 
 def _wrong_word(inner: str, near: str) -> tuple[str, str]:
