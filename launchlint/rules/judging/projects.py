@@ -251,8 +251,7 @@ class _Workspace:
     """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has.
 
     ``left``: the names of those without a licence; ``words_left_as_made``: the words in the names of their people.
-    ``has_own``: at least one is of people of whom no package is here that is known to be copied, and of these there are no more than of
-    others, or several of the others are left as ``catkin_create_pkg`` made them, as no public project leaves them.
+    ``has_own``: at least one is of people of whom no package is here that is known to be copied.
     """
 
     def __init__(self, everything: Sequence[Package]) -> None:
@@ -276,9 +275,8 @@ class _Workspace:
         self.left = frozenset(each.name for each in bare)
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = everybody(copied)
-        own = [manifest for _, _, manifest in self._known if manifest.people and manifest.people.isdisjoint(theirs)]
-        few = 2 * len(copied) <= len(self._known)  # in a public project itself nearly all are in the list
-        self.has_own = bool(copied and own) and (few or sum(is_left_as_made(each.people) for each in own) >= SOME)
+        few = 0 < 2 * len(copied) <= len(self._known)  # in a public project itself nearly all are in the list
+        self.has_own = few and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
 
     def are_few(self, manifest: Manifest) -> bool:
         """Whether no more packages have the people or the repository of ``manifest`` than have not."""
