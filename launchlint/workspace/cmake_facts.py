@@ -17,6 +17,7 @@ from launchlint.workspace.cmake_blocks import block_end, parsed, section, source
 from launchlint.workspace.cmake_conditions import truth
 from launchlint.workspace.cmake_exports import Exported, within
 from launchlint.workspace.cmake_installs import install, install_programs
+from launchlint.workspace.cmake_loops import items, zipped
 from launchlint.workspace.cmake_made import MAKING, RUNNING, runs_another_build
 from launchlint.workspace.cmake_scope import OF_VARIABLES, Scope, Value, together
 from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
@@ -177,10 +178,14 @@ class _Reader:
         if not arguments or arguments[0] is None:
             self._unknown("foreach with a variable that is not known")
             return
+        turns = zipped(self.scope, arguments)
+        if turns is not None:
+            self._zipped(turns, body, depth)
+            return
         variable = arguments[0]
         outer = self.scope.variables.get(variable)
         words = self.scope.expand(opening.arguments, any_way=True)[1:] if None in arguments else arguments[1:]
-        for item in dict.fromkeys([*self._items(words), *self._items(arguments[1:])]):
+        for item in dict.fromkeys([*items(self.scope, words), *items(self.scope, arguments[1:])]):
             self.steps += 1
             if self.steps > _MOST_STEPS:
                 break
@@ -188,25 +193,17 @@ class _Reader:
             self.run(body, depth)
         self.scope.assign(variable, [outer])
 
-    def _items(self, words: Sequence[Value]) -> list[Value]:
-        """What a foreach goes through."""
-        if words[:1] == ["RANGE"]:
-            return [None]
-        if words[:1] != ["IN"]:
-            return list(words)
-        chosen: list[Value] = []
-        mode = ""
-        for word in words[1:]:
-            if word in ("LISTS", "ITEMS", "ZIP_LISTS"):
-                mode = str(word)
-            elif mode == "LISTS" and word is not None:
-                value = self.scope.variables.get(word)
-                if value is None:
-                    chosen += [each for each in self.scope.unions.get(word, "").split(";") if each]
-                chosen += [None] if value is None else [each for each in value.split(";") if each]
-            else:
-                chosen.append(None if mode == "ZIP_LISTS" else word)
-        return chosen
+    def _zipped(self, turns: Sequence[dict[str, Value]], body: Sequence[Command], depth: int) -> None:
+        outer = {name: self.scope.variables.get(name) for name in turns[0]}
+        for turn in turns:
+            self.steps += 1
+            if self.steps > _MOST_STEPS:
+                break
+            for name, value in turn.items():
+                self.scope.assign(name, [value])
+            self.run(body, depth)
+        for name, value in outer.items():
+            self.scope.assign(name, [value])
 
     # -- commands -----------------------------------------------------------------------------------------------------
 
@@ -248,6 +245,7 @@ class _Reader:
             self.scope.assign(first, arguments[1:], settled=not (depth or self._blocks))
             if None in arguments:
                 self.scope.assign_any(first, self.scope.expand(command.arguments, any_way=True)[1:])
+                self.scope.assign_gaps(first, command.arguments[1:])
         elif name == "unset" and first is not None:
             self.scope.assign(first, [])
         elif name in OF_VARIABLES:

@@ -55,6 +55,8 @@ def _targets(facts: CMakeFacts, arguments: Sequence[Value]) -> None:
     for position, word in enumerate(arguments):
         if word in _ARTIFACTS:
             kind = str(word)
+        elif arguments[position : position + 2] == ["DESTINATION", "DESTINATION"]:
+            continue  # CMake takes the second for the key word
         elif word == "DESTINATION" and (kind == "RUNTIME" or (kind == "" and destination == "")):
             destination = arguments[position + 1] if position + 1 < len(arguments) else None
     for name in names:

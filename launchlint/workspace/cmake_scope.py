@@ -53,7 +53,7 @@ class Scope:
     CMake, whatever it is configured with, whether it is a true one.
     """
 
-    __slots__ = ("_files", "_globs", "constants", "root", "unions", "variables", "ways")
+    __slots__ = ("_files", "_globs", "constants", "gaps", "root", "unions", "variables", "ways")
 
     def __init__(self, root: str, files: Callable[[], Sequence[str]], more: Mapping[str, Value] = MappingProxyType({})) -> None:
         self.root = root
@@ -61,6 +61,7 @@ class Scope:
         self._globs = 0
         self.variables: dict[str, Value] = {**_DESTINATIONS, **more}
         self.unions: dict[str, str] = {}
+        self.gaps: dict[str, str] = {}
         self.ways: dict[str, tuple[str, ...]] = {}
         self.constants: dict[str, bool] = {}
         for name in ("CMAKE_SOURCE_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR", "PROJECT_SOURCE_DIR"):
@@ -117,7 +118,7 @@ class Scope:
             if None in known:
                 text = argument.text
                 for _ in range(_DEEPEST_REFERENCE):
-                    text, count = _REFERENCE.subn(lambda match: self.variables.get(match[1]) or "*", text)
+                    text, count = _REFERENCE.subn(lambda match: self.variables.get(match[1]) or self.gaps.get(match[1], "*"), text)
                     if not count or len(text) > _LONGEST_VALUE:
                         break
                 known = [text[:_LONGEST_VALUE]]
@@ -152,6 +153,11 @@ class Scope:
             self.unions.pop(name, None)
         elif len(self.unions) < _MOST_VARIABLES:
             self.unions[name] = value
+
+    def assign_gaps(self, name: str, arguments: Sequence[Argument]) -> None:
+        """What is known of a variable that is not known as a whole, with ``*`` for the rest: the name of a file below some directory."""
+        if len(self.gaps) < _MOST_VARIABLES:
+            self.gaps[name] = ";".join(self.with_gaps(arguments))[:_LONGEST_VALUE]
 
     def branch(self, before: dict[str, Value], outcomes: Sequence[dict[str, Value]], *, exhaustive: bool) -> None:
         """After an ``if``: what the variables are, and what is known of the ways through it (see ``merged``)."""

@@ -21,6 +21,19 @@ TEXTS: dict[str, tuple[list[str], list[str]]] = {
     "configure_file(a.in config/arm_${robot}.yaml)": (["config/arm_x.yaml"], ["config/x.yaml"]),
     "foreach(r a b)\nconfigure_file(r.in ${r}.launch)\nendforeach()": (["a.launch", "b.launch"], ["c.launch"]),
     "function(make r)\nconfigure_file(r.in ${r}.launch)\nendfunction()\nmake(a)\nmake(b)": (["a.launch", "b.launch"], ["r.in", "c.launch"]),
+    "foreach(f to IN ZIP_LISTS from into)\nconfigure_file(${f} ${to})\nendforeach()": ([], ["a.sdf"]),
+    "set(from x.erb y.erb)\nset(into a.sdf m/b.sdf)\nforeach(f to IN ZIP_LISTS from into)\nconfigure_file(${f} ${to})\nendforeach()": (
+        ["a.sdf", "m/b.sdf"],
+        ["x.erb", "c.sdf"],
+    ),
+    "set(from x.erb)\nset(into a.sdf)\nforeach(each IN ZIP_LISTS from into)\nconfigure_file(${each_0} ${each_1})\nendforeach()": (
+        ["a.sdf"],
+        ["x.erb"],
+    ),
+    "set(to ${CMAKE_INSTALL_PREFIX}/m/a.sdf)\nadd_custom_command(OUTPUT ${to} COMMAND erb x.erb > ${to} DEPENDS x.erb)": (
+        ["m/a.sdf"],
+        ["b.sdf"],
+    ),
     "add_custom_command(OUTPUT a.urdf COMMAND xacro a.xacro -o a.urdf DEPENDS a.xacro b.yaml)": (["urdf/a.urdf"], ["b.yaml"]),
     'add_custom_target(maps ALL COMMAND sh -c "wget -O maps/a.pgm http://x/b.pgm" VERBATIM)': (["maps/a.pgm"], ["maps/b.pgm"]),
     "file(WRITE a.yaml text)": (["a.yaml"], []),

@@ -129,6 +129,10 @@ PROGRAMS: dict[str, tuple[str, dict[str, tuple[str | None, str]]]] = {
         ),
         {"driver": ("lib/rover", "src/d.cpp")},
     ),
+    "the key word twice": (
+        "add_executable(driver src/d.cpp)\ninstall(TARGETS driver DESTINATION DESTINATION lib/${PROJECT_NAME})",
+        {"driver": ("lib/rover", "src/d.cpp")},
+    ),
     "without a destination": ("add_executable(driver src/d.cpp)\ninstall(TARGETS driver)", {"driver": ("bin", "src/d.cpp")}),
     "for libraries only": (
         "add_executable(driver src/d.cpp)\ninstall(TARGETS driver LIBRARY DESTINATION lib/${PROJECT_NAME})",
