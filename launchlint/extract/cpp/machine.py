@@ -174,6 +174,9 @@ class Machine:
             if not self.unseen.queue():
                 break
             self._follow_later()
+        for declared, giver in self.unseen.made_elsewhere():
+            line = 1 if giver.body is None else giver.body.line
+            self.doubt_all(f"an object of {declared.name} may be made by code that is not here", giver.path, line)
 
     def _follow_later(self) -> None:
         while self.pending and self.steps < _MOST_STEPS:

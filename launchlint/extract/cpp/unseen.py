@@ -115,6 +115,25 @@ class Unseen:
                 self._make(declared)
         return len(machine.pending) > before
 
+    def made_elsewhere(self) -> Iterable[tuple[Class, Function]]:
+        """Classes that nothing here makes an object of, that make names, and that are given to a template: who reads that may make one.
+
+        With each the first function that gives it. Only classes with a base from elsewhere: who has that calls what overrides it.
+        """
+        names, declarations = self.machine.names, self.machine.declarations
+        bodies = [each for functions in declarations.functions.values() for each in functions if each.body is not None]
+        made = {name for declared in self.made for name in (declared.name, *(each.name for each in names.bases(declared.name)))}
+        for declared in list(declarations.classes.values()):
+            if declared.name in made or declared.template or not self.foreign_base(declared):
+                continue
+            members = (each for _, functions in declarations.members(declared.name) for each in functions if each.body is not None)
+            if not any(each not in self.visited and self.tells(each) for each in members):
+                continue
+            given = re.compile(rf"<[^<>;(){{}}]*\b{re.escape(declared.name.rpartition('::')[2])}\b[^<>;(){{}}]*>")
+            giver = next((each for each in bodies if each.body is not None and given.search(each.body.text)), None)
+            if giver is not None:
+                yield declared, giver
+
     def _make(self, declared: Class) -> None:
         """Make one of the objects that a container makes by itself."""
         from launchlint.extract.cpp import classes, overloads

@@ -500,3 +500,28 @@ def test_a_namespace_that_is_set_somewhere_is_not_the_empty_one(tmp_path: Path) 
         """,
     )
     assert [each.name for each in facts] == ["{any}/in"]
+
+
+_COMPONENT = """#include <ros/ros.h>
+#include <rtm/Manager.h>
+class Bridge : public RTC::DataFlowComponentBase {
+ public:
+  Bridge(RTC::Manager* manager) {}
+  RTC::ReturnCode_t onInitialize() { pub = nh.advertise<std_msgs::String>("odom", 1); }
+  ros::NodeHandle nh;
+  ros::Publisher pub;
+};
+void init(RTC::Manager* manager) { manager->registerFactory(profile, MAKER, MAKER); }
+"""
+
+
+@pytest.mark.parametrize(
+    ("maker", "expected"),
+    [
+        ("RTC::Create<Bridge>", {"an object of Bridge may be made by code that is not here": CATEGORIES}),
+        ("RTC::Create<Other>", {}),
+    ],
+)
+def test_a_class_that_code_from_elsewhere_makes_may_talk(tmp_path: Path, maker: str, expected: dict[str, list[str]]) -> None:
+    source = _COMPONENT.replace("MAKER", maker) + in_main('ros::NodeHandle n; n.param("rate", 1.0);\nRTC::Manager::run(init);')
+    assert doubted(tmp_path, source) == expected
