@@ -9,13 +9,17 @@ from launchlint.finding import Finding, Severity
 from launchlint.syntax.ros1.substitutions import parse
 
 NOTE = "only the default of {} leads there: the launch files here that include this one give it another value"
+NOTE2 = "only the defaults of this file lead there: the launch files here that include it name another one"
 _NAMED = frozenset(("LL401", "LL502"))
 
 
 def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
     """``findings``, those as information that only a file started alone shows, while all that include it give the arg in the name."""
     for finding in findings:
-        if finding.severity is Severity.ERROR and finding.rule in _NAMED and finding.key in known.by_default:
+        if _is_warning_of_ros2(finding) and finding.key in known.by_default:
+            if _is_overridden_everywhere(known.reached.get(finding.key, frozenset()), known):
+                finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE2))
+        elif finding.severity is Severity.ERROR and finding.rule in _NAMED and finding.key in known.by_default:
             path, at = finding.location.path, finding.location
             names = list(parse(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text).names("arg"))
             if names and _is_overridden_everywhere(known.reached.get(finding.key, frozenset()), known):
@@ -24,6 +28,11 @@ def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[F
                 if given:
                     finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(given[0])))
         yield finding
+
+
+def _is_warning_of_ros2(finding: Finding) -> bool:
+    """Whether ros2 launch only warns of a file that is not there; by which arg it was named, a launch file in Python need not show."""
+    return finding.rule in _NAMED and finding.severity is Severity.WARNING and finding.launcher != "roslaunch"
 
 
 def _is_overridden_everywhere(alone: Set[str], known: Known) -> bool:
