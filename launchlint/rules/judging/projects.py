@@ -251,7 +251,8 @@ class _Workspace:
     """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has.
 
     ``left``: the names of those without a licence; ``words_left_as_made``: the words in the names of their people.
-    ``has_own``: at least one is of people of whom no package is here that is known to be copied.
+    ``has_own``: at least one is of people of whom no package is here that is known to be copied; where most packages are, as in a public
+    project itself, several are, of people who say who they are: what is not in the list of such a project is left as a template made it.
     """
 
     def __init__(self, everything: Sequence[Package]) -> None:
@@ -275,8 +276,9 @@ class _Workspace:
         self.left = frozenset(each.name for each in bare)
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = everybody(copied)
-        few = 0 < 2 * len(copied) <= len(self._known)  # in a public project itself nearly all are in the list
-        self.has_own = few and any(manifest.people and manifest.people.isdisjoint(theirs) for _, _, manifest in self._known)
+        own = [manifest.people for _, _, manifest in self._known if manifest.people and manifest.people.isdisjoint(theirs)]
+        few = 2 * len(copied) <= len(self._known)  # in a public project itself nearly all are in the list
+        self.has_own = bool(copied and own) and (few or sum(map(_say_who_they_are, own)) >= SOME)
 
     def are_few(self, manifest: Manifest) -> bool:
         """Whether no more packages have the people or the repository of ``manifest`` than have not."""
@@ -342,6 +344,11 @@ def is_left_as_made(people: frozenset[str]) -> bool:
 def of_template(people: frozenset[str]) -> frozenset[str]:
     """Those among ``people`` that ``catkin_create_pkg`` wrote."""
     return frozenset(each for each in people if each.endswith(_TEMPLATE))
+
+
+def _say_who_they_are(people: frozenset[str]) -> bool:
+    """Whether those who made a package have said who they are: neither a template nor an exporter has written an address."""
+    return not of_template(people) and not any(each.startswith(_EXPORTED) for each in people)
 
 
 def _is_filled_in(manifest: Manifest) -> bool:
