@@ -6,7 +6,6 @@ An agent of micro-ROS or of a flight controller brings the topics of another mac
 from __future__ import annotations
 
 import posixpath
-import shlex
 from collections.abc import Sequence
 
 from launchlint.model import Executable
@@ -57,8 +56,10 @@ def spelled(program: Executable) -> str:
 
 def _words(command: Sequence[str]) -> list[str]:
     """The words of a command; one that is left to a shell stands in one text."""
+    from shlex import split  # most launches start nothing but nodes
+
     text = " ".join(command)
     try:
-        return shlex.split(text)
+        return split(text)
     except ValueError:
         return text.split()
