@@ -35,8 +35,8 @@ class Caller(NamedTuple):
 
 
 class Guard:
-    """Proves edits in one ``session``. ``callers`` gives, for a file, entry files that include it: a file that lacks args shows all of
-    what it does only through them.
+    """Proves edits in one ``session``. ``callers`` gives, for a file, entry files that include it, or itself with the args it is started
+    with: a file that lacks args shows all of what it does only through them.
     """
 
     def __init__(self, session: Session, callers: Callable[[str], Iterable[Caller]] | None = None) -> None:
@@ -60,9 +60,10 @@ class Guard:
             document = session.document(file)
             if isinstance(document, Read) or document.launch is None:
                 return f"{which} is no launch file that roslaunch can read"
-        callers = [Caller(file)]
+        alone = Caller(file)
+        callers = [alone]
         if self._callers is not None:
-            callers += islice((caller for caller in self._callers(file) if caller.file != file), MOST_CALLERS)
+            callers += islice((caller for caller in self._callers(file) if caller != alone), MOST_CALLERS)
         for caller in callers:
             found = _Comparison(first, second, file, caller).refusal()
             if found:
@@ -100,7 +101,7 @@ class _Comparison:
                 return found
             hidden.see(evaluation)
             hidden_after.see(evaluation_after)
-        return hidden.difference(hidden_after) if entry == self.file else ""
+        return hidden.difference(hidden_after) if self.caller == Caller(self.file) else ""
 
     def _difference(self, before: Evaluation, after: Evaluation) -> str:
         found = difference(meaning(before.launch), meaning(after.launch))

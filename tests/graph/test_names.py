@@ -17,7 +17,7 @@ from tests.graph import live
 
 @pytest.mark.parametrize(
     ("name", "cleaned"),
-    [("a", "a"), ("/a/", "/a"), ("//a///b//", "/a/b"), ("/", "/"), ("", ""), ("~a//b", "~a/b")],
+    [("a", "a"), ("a/", "a"), ("/a/", "/a"), ("//a///b//", "/a/b"), ("/", "/"), ("", ""), ("~a//b", "~a/b")],
 )
 def test_clean(name: str, cleaned: str) -> None:
     assert clean(name) == cleaned
@@ -56,6 +56,7 @@ def test_absolute(name: str, full: str, said: str) -> None:
         ("/*/a/*/b/*", "/1/a/2/b/3", True),
         ("/x*x*x", "/x1x", False),
         ("*", "", True),
+        ("*/cam/*", "/cam/image", True),
     ],
 )
 def test_what_a_pattern_stands_for(pattern: str, name: str, is_one: bool) -> None:
@@ -179,6 +180,15 @@ def test_what_remappings_that_are_not_known_may_make_of_a_name(
 ) -> None:
     own = Namer("/ns", "/ns/node", [Rule(*rule) for rule in rules], "roscpp", unknown)
     assert own.elsewhere("/ns/cam/left/image") == (patterns, for_certain)
+
+
+def test_a_namespace_that_the_process_or_its_private_names_lie_in_is_no_namespace_of_the_code() -> None:
+    """Its names were made in it already: what moves it does not act once more."""
+    chain = [Rule("~", "/other"), Rule("/other", "/third"), Rule("/third", "/fourth"), Rule("/fourth", "/fifth")]
+    private = Namer("/ns", "/ns/node", chain, "roscpp")
+    assert (private.private, private.elsewhere("/fourth/state")) == ("/fourth", ([], False))
+    elsewhere = Namer("/ns", "/ns/node", [Rule("~", "/other"), Rule("/ns", "/moved")], "roscpp")
+    assert (elsewhere.private, elsewhere.elsewhere("/ns/image")) == ("/other", ([], False))
 
 
 def test_a_remap_of_its_own_name_is_left_out_by_roscpp_and_the_others_stay() -> None:
