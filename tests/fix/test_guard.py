@@ -41,6 +41,7 @@ SAME: dict[str, tuple[str, str]] = {
         '<arg name="a" default="1"/><arg name="b" default="1"/><group if="false">[[n]]</group>',
         '<arg name="b" default="1"/><arg name="a" default="1"/><group if="false">[[n]]</group>',
     ),
+    "an unknown tag before what is never taken": ('<Arg name="a"/><group if="false">[[n]]</group>', '<group if="false">[[n]]</group>'),
     "a remap after what is never taken": ('<group if="false">[[n]]</group><remap from="a" to="b"/>', '<group if="false">[[n]]</group>'),
     "parameters of which one begins like another": (
         '<param name="ab" value="1"/><param name="a" value="1"/>', '<param name="a" value="1"/><param name="ab" value="1"/>',
@@ -319,7 +320,8 @@ def test_a_file_that_is_started_with_args_is_proved_with_these_too(before: str, 
     """What these args leave out is shown without them."""
     declared = f'{SIM}<arg name="mode" default="a"/>'
     texts = [content(MAIN, declared + text) for text in (before, after)]
-    guard = Guard(session_in(tmp_path), lambda each: [Caller(each), Caller(each, (("mode", "b"), ("sim", "false")))])
+    file = str(tmp_path / MAIN)
+    guard = Guard(session_in(tmp_path), lambda each: [Caller(each), Caller(file, (("mode", "b"), ("sim", "false")))])
     assert guard.refusal(str(tmp_path / MAIN), *texts) == why
 
 

@@ -296,7 +296,7 @@ def test_a_process_has_the_name_that_remappings_and_environment_give_it(tmp_path
     launch = """
     <group ns="a">
       <node pkg="my_pkg" type="cpp" name="moved"><remap from="~" to="/elsewhere"/></node>
-      <node pkg="my_pkg" type="cpp" name="env"><env name="ROS_NAMESPACE" value="b"/><env name="LANG" value="d"/></node>
+      <node pkg="my_pkg" type="cpp" name="env"><env name="ROS_NAMESPACE" value="b"/><env name="LANG" value="d"/><env name="ROS_X" value="e"/></node>
       <node pkg="my_pkg" type="cpp" name="args" args="__ns:=/c"><env name="ROS_NAMESPACE" value="b"/></node>
       <node pkg="my_pkg" type="talker.py" name="python"><remap from="~" to="/elsewhere"/></node>
     </group>
@@ -405,8 +405,10 @@ def test_a_manager_is_found_by_its_service(manager: str, loader: str, host: str,
     assert graph(tmp_path, launch, NODELET).instances[1].host == host
 
 
-def test_any_program_that_serves_what_a_manager_serves_is_one(tmp_path: Path) -> None:
-    found = graph(tmp_path, f'<node pkg="cam" type="driver" name="d"/>{nodelet("n", "load cam/Color d")}', NODELET)
+@pytest.mark.parametrize("package", ["cam", "zed"])
+def test_any_program_that_serves_what_a_manager_serves_is_one(package: str, tmp_path: Path) -> None:
+    known = {**NODELET, "zed": {"executables": NODELET["cam"]["executables"]}}
+    found = graph(tmp_path, f'<node pkg="{package}" type="driver" name="d"/>{nodelet("n", "load cam/Color d")}', known)
     assert [(each.kind, each.host) for each in found.instances] == [("node", "/d"), ("nodelet", "/d")]
 
 
@@ -420,12 +422,14 @@ def test_any_program_that_serves_what_a_manager_serves_is_one(tmp_path: Path) ->
         nodelet("m", "standalone cam/Color"),
         '<node pkg="cam" type="other_services" name="m"/>',
         '<node pkg="cam" type="publisher" name="m"/>',
+        '<node pkg="cam" type="subscriber" name="m"/>',
     ],
 )
 def test_into_what_no_nodelet_can_be_loaded(other: str, tmp_path: Path) -> None:
     others = {
         "other_services": program(services=[{"name": "~aaa"}, {"name": "~zzz"}]),
         "publisher": program(publishers=[{"name": "~load_nodelet", "type": STRING}]),
+        "subscriber": program(subscribers=[{"name": "~load_nodelet", "type": STRING}]),
     }
     known = {**NODELET, "cam": {**NODELET["cam"], "executables": others}}
     found = graph(tmp_path, f"{other}{nodelet('n', 'load cam/Color m')}", known)
@@ -467,7 +471,9 @@ def test_a_nodelet_in_no_namespace(manager: str, name: str, tmp_path: Path) -> N
         ("standalone", "its args do not say what it loads"),
         ("load", "its args do not say what it loads"),
         ("", "its args do not say what it loads"),
+        ("unloads n m", "its args do not say what it loads"),
         ("unload n m", ""),
+        ("standalone cam/Color", ""),
         ("manager", ""),
     ],
 )
