@@ -1,13 +1,14 @@
 """A run of which nothing can be another than of an earlier one: what that told is told again, and no result is looked at.
 
 That is so where every file that was met is as it was by what ``stat`` says of it (:mod:`launchlint.workspace.contents`), and so is all that
-anything hung on elsewhere, where files are not met: in hidden directories, and outside of the workspaces.
+anything hung on of which that says nothing: what had changed a moment ago, and what is not met, in hidden directories and outside of the
+workspaces.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -22,7 +23,7 @@ from launchlint.workspace.states import Look
 
 _ROW = "outcome"
 _MOST_RECENT = 1_000
-"""Files changed so recently that they have to be told by their content; where there are more, nothing is kept."""
+"""Files changed so recently that their content has to be looked at; where there are more, nothing is kept."""
 
 
 class SameRun:
@@ -40,8 +41,8 @@ class SameRun:
         row = self._cache.rows("held", (_ROW,)).get(_ROW)
         with suppress(*BROKEN):
             if row is not None:
-                key, recent, files, hang, outcome = row.value
-                if key == self._key and files == self._cache.surroundings.all_files(frozenset(recent)) and self._is_true(*hang):
+                key, files, hang, outcome = row.value
+                if key == self._key and files == self._cache.surroundings.all_files and self._is_true(*hang):
                     return outcome_from_json(outcome)
         return None
 
@@ -55,18 +56,15 @@ class SameRun:
 
     def keep(self, outcome: Outcome, hangs: Sequence[Hang], looked: Looked) -> None:
         """Keep what is told now, from results that hang on ``hangs``, and ``looked`` at besides."""
-        recent = frozenset(self._cache.surroundings.recent)
-        if outcome.crashed or len(recent) > _MOST_RECENT:
+        if outcome.crashed or len(self._cache.surroundings.recent) > _MOST_RECENT:
             return
         with suppress(*BROKEN):
-            files = self._cache.surroundings.all_files(recent)
-            hang = self._elsewhere(hangs, looked, recent)
-            row = sealed(_ROW, [self._key, sorted(recent), files, hang, outcome_to_json(outcome)])
-            self._cache.write({"held": {_ROW: row}}, {}, {})
+            files, hang = self._cache.surroundings.all_files, self._elsewhere(hangs, looked)
+            self._cache.write({"held": {_ROW: sealed(_ROW, [self._key, files, hang, outcome_to_json(outcome)])}}, {}, {})
 
-    def _elsewhere(self, hangs: Sequence[Hang], looked: Looked, recent: Collection[str]) -> list[Any]:
-        """All that the files that were met do not tell, or not for certain since they are ``recent``: contents, variables, looks."""
-        cache = self._cache
+    def _elsewhere(self, hangs: Sequence[Hang], looked: Looked) -> list[Any]:
+        """All that the files that were met do not tell, or not for certain since they are recent: contents, variables, looks."""
+        cache, recent = self._cache, self._cache.surroundings.recent
         told: dict[str, bool] = {}
 
         def is_elsewhere(path: str) -> bool:

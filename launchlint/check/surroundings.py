@@ -11,7 +11,8 @@ import hashlib
 import os
 import stat
 import time
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
+from functools import cached_property
 from typing import Any
 
 from launchlint.check.options import Options
@@ -24,7 +25,7 @@ from launchlint.workspace.place import Place
 from launchlint.workspace.repository import LONGEST_PATH
 from launchlint.workspace.source_lists import is_source_list
 
-FORMAT = 13
+FORMAT = 14
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""
@@ -90,22 +91,22 @@ class Surroundings:
         return None if digest is None else f"file {digest}"
 
     def has_met(self, path: str) -> bool:
-        """Whether :meth:`all_files` tells what there is at an absolute path."""
+        """Whether :attr:`all_files` tells what there is at an absolute path."""
         file = path.partition(PART)[0]
         if file.endswith(_ALL_BELOW):
             return bool(self._tree_state(file.removesuffix(_ALL_BELOW)))
         return file in self._files or file in self._listings or self._is_missing(file)
 
-    @property
-    def recent(self) -> list[str]:
+    @cached_property
+    def recent(self) -> frozenset[str]:
         """The files that were met and may change so that ``stat`` does not tell."""
-        return [path for path in self._files if not self._held.tells(path, self._begin)]
+        return frozenset(path for path in self._files if not self._held.tells(path, self._begin))
 
-    def all_files(self, by_content: Collection[str]) -> str:
-        """Equal where all is as it was that was met: by what ``stat`` says of each file, and of some ``by_content``."""
+    @cached_property
+    def all_files(self) -> str:
+        """Equal where all that was met is as it was, by what ``stat`` says of each file."""
         found = hashlib.sha256(f"{self.name} {self.stamp}".encode())
-        lines = (f"{path}\0{self._held.sha1(path) if path in by_content else self._held.mark(path)}" for path in self._files)
-        found.update("\n".join(lines).encode("utf-8", "surrogateescape"))
+        found.update("\n".join(f"{path}\0{self._held.mark(path)}" for path in self._files).encode("utf-8", "surrogateescape"))
         return found.hexdigest()
 
     def _says(self, path: str, state: str) -> bool:

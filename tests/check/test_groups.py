@@ -25,11 +25,9 @@ PROGRAM = """
 import sys
 from launchlint.check import cache, entry, groups, judges, same
 from launchlint.cli import main
-from launchlint.workspace import contents
+from launchlint.workspace import contents, looking
 
-contents.WORTH_WRITING = 1
-if {trusts}:
-    contents.RACY = 0
+contents.RACY, contents.WORTH_WRITING, looking._MANY = 0, 1, 2
 counts = dict.fromkeys(("computed", "read", "gathered", "judged"), 0)
 
 def counted(module, name, what):
@@ -62,11 +60,9 @@ ENDS = {  # where a run ends
 class Workspace(Trusting):
     """A repository that is checked with a cache, and what runs do."""
 
-    trusts = True
-
     def run(self, *words: str, more: str = "") -> tuple[str, list[int]]:
         """What is said; how many entry files are computed, how many results read, how often is gathered, and judged."""
-        program = PROGRAM.format(trusts=self.trusts, more=more)
+        program = PROGRAM.format(more=more)
         done = subprocess.run(
             [sys.executable, "-c", program, *words], cwd=self.directory, env=clean_environment(self.cache), capture_output=True, text=True,
             check=True, timeout=120,
@@ -91,16 +87,24 @@ def workspace(tmp_path: Path) -> Workspace:
     return made
 
 
-BROKEN = '<launch>\n  <arg name="robot"/>\n  <node name="w" pkg="beta" type="nobody"/>\n  <arg name="idle" default="1"/>\n</launch>\n'
+BROKEN = """\
+<launch>
+  <arg name="robot"/>
+  <node name="w" pkg="beta" type="nobody" args="$(arg robot)"/>
+  <arg name="idle" default="1"/>
+</launch>
+"""
 CALLS = '<launch>\n  <include file="$(find beta)/parts/broken.launch">{}</include>\n</launch>\n'
 GIVES = '<arg name="robot" value="{}"/>'
 PART = """\
 <launch>
   <arg name="robot"/>
+  <param name="robot" value="$(arg robot)"/>
   <arg name="all" default="true"/>
-  <include if="$(arg all)" file="$(find beta)/parts/inner.launch"/>
+  <include if="$(arg all)" file="$(find beta)/parts/inner.launch"><arg name="program" value="nobody"/></include>
 </launch>
 """
+INNER = '<launch>\n  <arg name="program" default="talk.py"/>\n  <node name="w" pkg="beta" type="$(arg program)"/>\n</launch>\n'
 DRIVES = """\
 #include <ros/ros.h>
 
@@ -114,7 +118,7 @@ int main(int argc, char** argv) {
 """
 FILES = {
     "beta/parts/broken.launch": BROKEN,
-    "beta/parts/inner.launch": '<launch><node name="w" pkg="beta" type="nobody"/></launch>\n',
+    "beta/parts/inner.launch": INNER,
     "beta/parts/part.launch": PART,
     "alpha/calls/one.launch": CALLS.format(GIVES.format("one")),
     "gamma/calls/two.launch": CALLS.format(GIVES.format("two")),
@@ -128,6 +132,8 @@ GIVES_BOTH = GIVES.format("r") + '<arg name="all" value="false"/>'
 LEAVES_OUT = f'<launch><include file="$(find beta)/parts/part.launch">{GIVES_BOTH}</include></launch>\n'
 SILENT = '<launch>\n  <!-- launchlint: ignore[LL301] so -->\n  <node name="w" pkg="beta" type="nobody"/>\n</launch>\n'
 CHANGES: dict[str, Callable[[Path], None]] = {
+    "git ignores a file": put(".gitignore", "made.yaml\n"),
+    "git ignores it no more": put(".gitignore", "*.bag\n"),
     "a program reads another param": replace("alpha/src/drive.cpp", '"speed"', '"speeds"'),
     "and that of before": replace("alpha/src/drive.cpp", '"speeds"', '"speed"'),
     "one more leads to the mistake": put("alpha/calls/more.launch", CALLS.format(GIVES.format("more"))),
@@ -174,13 +180,19 @@ def test_whatever_changes(workspace: Workspace) -> None:
         assert again == NOTHING, name
 
 
+BLIND = """
+contents.RACY = 10**18
+contents._signature = lambda status: [7, 7, 7, 7, 7]
+"""
+
+
 def test_files_that_were_changed_a_moment_ago_are_told_by_their_content(workspace: Workspace) -> None:
-    workspace.trusts = False
-    workspace.agrees()
-    for name in list(CHANGES)[:6]:
-        CHANGES[name](workspace.directory)
-        _, again = workspace.agrees()
-        assert again == NOTHING, name
+    """Where ``stat`` may say nothing of a change, and in fact says nothing."""
+    for name, change in list(CHANGES.items())[:6]:
+        anew = workspace.run("--no-cache")[0]
+        assert workspace.run(more=BLIND)[0] == anew, name
+        assert workspace.run(more=BLIND) == (anew, NOTHING), name
+        change(workspace.directory)
 
 
 def test_few_are_read_where_one_has_changed(workspace: Workspace) -> None:
@@ -204,6 +216,18 @@ def test_what_is_asked_for_is_told(workspace: Workspace) -> None:
     for words in ((), ("alpha", "beta"), (), ("alpha", "beta", "gamma"), ("alpha", "beta", "gamma")):
         assert workspace.run(*words)[0] == workspace.run("--no-cache", *words)[0], words
     assert workspace.run()[1] == NOTHING  # that of all was kept beside that of a part
+
+
+def test_what_only_a_judge_looks_at_in_a_hidden_directory(workspace: Workspace) -> None:
+    aside = workspace.directory / ".parked"
+    write(aside, {"x.launch": '<launch><node name="a" pkg="beta" type="nobody"/></launch>\n'})
+    words = (".", ".parked/x.launch")
+    before = workspace.run(*words)[0]
+    assert workspace.run(*words) == (before, NOTHING)
+    write(aside, {"package.xml.bak": ""})
+    anew = workspace.run("--no-cache", *words)[0]
+    assert anew != before
+    assert workspace.run(*words)[0] == anew
 
 
 def test_environment_variables(workspace: Workspace, monkeypatch: pytest.MonkeyPatch) -> None:

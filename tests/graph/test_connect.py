@@ -259,6 +259,14 @@ def test_of_two_that_say_as_much_the_first_is_kept(tmp_path: Path) -> None:
     assert [(each.declared, each.certain) for each in instance.endpoints if each.name == "/x"] == [("x", True)]
 
 
+def test_two_names_that_a_remap_makes_one_are_both_said_by_the_code(tmp_path: Path) -> None:
+    both = {"p": {"executables": {"t": program(publishers=[{"name": "a"}, {"name": "b"}])}}}
+    launch = '<node pkg="p" type="t" name="n"><remap from="a" to="b"/></node><node pkg="p" type="t" name="m"/>'
+    joined, apart = graph(tmp_path, launch, both).instances
+    assert ([each.unremapped for each in joined.endpoints], joined.looked_up) == (["/a"], {"/b": "b"})
+    assert ([each.unremapped for each in apart.endpoints], apart.looked_up) == (["/a", "/b"], {})
+
+
 def test_an_action_is_five_topics(tmp_path: Path) -> None:
     action = {"name": "go", "type": "demo_msgs/GoAction"}
     server, client = (program(actions=[{**action, "role": role}]) for role in ("server", "client"))
@@ -296,7 +304,9 @@ def test_a_process_has_the_name_that_remappings_and_environment_give_it(tmp_path
     launch = """
     <group ns="a">
       <node pkg="my_pkg" type="cpp" name="moved"><remap from="~" to="/elsewhere"/></node>
-      <node pkg="my_pkg" type="cpp" name="env"><env name="ROS_NAMESPACE" value="b"/><env name="LANG" value="d"/><env name="ROS_X" value="e"/></node>
+      <node pkg="my_pkg" type="cpp" name="env">
+        <env name="ROS_NAMESPACE" value="b"/><env name="LANG" value="d"/><env name="ROS_X" value="e"/>
+      </node>
       <node pkg="my_pkg" type="cpp" name="args" args="__ns:=/c"><env name="ROS_NAMESPACE" value="b"/></node>
       <node pkg="my_pkg" type="talker.py" name="python"><remap from="~" to="/elsewhere"/></node>
     </group>
