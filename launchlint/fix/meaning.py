@@ -108,7 +108,7 @@ def _node(node: Node) -> Facts:
 def _remaps(node: Node) -> tuple[tuple[str, str], ...]:
     """The remaps in order, without those of a name to itself: they do nothing, unless another remap has the same source."""
     pairs = [(remap.source, remap.target) for remap in node.remaps]
-    if all(source != target for source, target in pairs) or not node.knows("name", "namespace", "remaps"):
+    if not node.knows("name", "namespace", "remaps"):
         return tuple(pairs)
     count = Counter(_resolved(source, node) for source, _ in pairs)
     return tuple(pair for pair in pairs if pair[0] != pair[1] or count[_resolved(pair[0], node)] > 1)

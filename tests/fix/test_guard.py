@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.fix.guard import Caller, Guard
+from launchlint.fix.meaning import Meaning, difference
 from tests.evaluate.comparison import MAIN, case, content, inside, session_in, write
 
 SIM = '<arg name="sim" default="false"/>'
@@ -351,6 +352,12 @@ def test_a_node_of_another_file_that_stands_at_the_same_place_says_nothing_of_th
     with inside(tmp_path):
         before, after = (text.replace("{}", value).encode() for value in "12")
         assert Guard(session_in(tmp_path)).refusal(str(tmp_path / MAIN), before, after) == NEVER_SEEN.replace("<group>", "<node>")
+
+
+def test_what_says_more_of_one_thing_does_not_say_the_same() -> None:
+    nothing = Meaning(*((),) * len(Meaning._fields))
+    short, long = (nothing._replace(left_open=(facts,)) for facts in ((("name", "a"),), (("name", "a"), ("value", "1"))))
+    assert [difference(short, long), difference(long, short)] == ["the unresolved item 'a' would change"] * 2
 
 
 def test_other_files_are_read_from_the_session(tmp_path: Path) -> None:

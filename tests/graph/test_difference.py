@@ -179,6 +179,14 @@ def test_partners_that_never_run_together_are_none() -> None:
     assert lost(difference(before, after)) == ["/a publisher /x of /b (1), now /x", "/b subscriber /x of /a (1), now /x"]
 
 
+def test_partners_that_run_together_now_are_a_change_though_each_is_as_it_was() -> None:
+    three = (*CONFIGURATIONS, "slow:=true")
+    apart = tiny.topology("/a > /x @sim:=true", "/b < /x @slow:=true", configurations=three)
+    together = tiny.topology("/a > /x @sim:=true", "/b < /x @sim:=true", configurations=three)
+    found = difference(apart, together)
+    assert ([link.node for link in found.gained], found.connections_changed, found.is_empty) == (["/a", "/b"], (), False)
+
+
 def test_a_condition_around_a_node_is_told_of_the_node_once() -> None:
     before = tiny.topology("/a > /x", configurations=CONFIGURATIONS)
     simulated = tiny.node("/a", only=("sim:=true",))
@@ -224,7 +232,8 @@ def test_an_unknown_node_that_came_in_makes_losses_uncertain() -> None:
     assert difference(before, after._replace(nodes=(*after.nodes, tiny.node("/c", knowledge="unknown")))).uncertain
     assert difference(before, after._replace(complete=False)).uncertain
     assert not difference(before, after._replace(nodes=(*after.nodes, tiny.node("/c", open=(("params", "many"),))))).uncertain
-    assert difference(before, after._replace(nodes=(*after.nodes, tiny.node("/c", open=(("publishers", "many"),))))).uncertain
+    for category in ("publishers", "clients"):
+        assert difference(before, after._replace(nodes=(*after.nodes, tiny.node("/c", open=((category, "many"),))))).uncertain
 
 
 def test_a_node_in_another_namespace_is_seen_again() -> None:
