@@ -83,6 +83,11 @@ CHANGED: dict[str, tuple[str, str, str]] = {
         '<remap from="a" to="b"/>[[n ns="r"]]',
         "the node '/r/n' would change: remaps from (('a', 'b'), ('/r/a', '/r/a')) to (('a', 'b'),)",
     ),
+    "a remap to itself of a node whose namespace is not known": (
+        '[[n ns="$(eval unknown)" | <remap from="a" to="b"/><remap from="c" to="c"/>]]',
+        '[[n ns="$(eval unknown)" | <remap from="a" to="b"/>]]',
+        "the node '/unknown_namespace/n' would change: remaps from (('a', 'b'), ('c', 'c')) to (('a', 'b'),)",
+    ),
     "the environment": (
         "<env name='A' value='1'/>[[n]]", "[[n]]<env name='A' value='1'/>",
         "the node '/n' would change: environment from (('A', '1'),) to nothing",
@@ -333,8 +338,12 @@ def test_the_namespace_and_the_ros_of_roslaunch_are_those_it_is_started_in(tmp_p
     assert guard.refusal(str(tmp_path / MAIN), before, after) == ""
 
 
-def test_a_remap_before_a_file_that_includes_two_that_are_not_here(tmp_path: Path) -> None:
-    part = '<include file="$(find nowhere)/x.launch"/><include file="$(find nowhere)/y.launch"/>'
+@pytest.mark.parametrize(
+    "part",
+    ['<include file="$(find nowhere)/x.launch"/><include file="$(find nowhere)/y.launch"/>', b"<robot/>"],
+    ids=["absent", "no launch"],
+)
+def test_a_remap_before_a_file_that_cannot_be_followed(part: str | bytes, tmp_path: Path) -> None:
     before, after = '<remap from="a" to="b"/><include file="part.launch"/>', '<include file="part.launch"/><remap from="a" to="b"/>'
     write(case(before, files={"part.launch": part}), tmp_path)
     with inside(tmp_path):
