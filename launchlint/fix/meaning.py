@@ -111,7 +111,7 @@ def _remaps(node: Node) -> tuple[tuple[str, str], ...]:
     if not node.knows("name", "namespace", "remaps"):
         return tuple(pairs)
     count = Counter(_resolved(source, node) for source, _ in pairs)
-    return tuple(pair for pair in pairs if pair[0] != pair[1] or count[_resolved(pair[0], node)] > 1)
+    return tuple((source, target) for source, target in pairs if source != target or count[_resolved(source, node)] > 1)
 
 
 def _resolved(name: str, node: Node) -> str:
@@ -130,11 +130,11 @@ def _nested(names: Iterable[str]) -> tuple[str, ...]:
     known = set(listed)
     family: set[str] = set()
     for name in listed:
-        at = name.find("/", 1)
-        while at > 0:
-            if name[:at] in known:
-                family.update((name, name[:at]))
-            at = name.find("/", at + 1)
+        outer = name.rpartition("/")[0]
+        while outer:
+            if outer in known:
+                family.update((name, outer))
+            outer = outer.rpartition("/")[0]
     return tuple(name for name in listed if name in family)
 
 

@@ -314,6 +314,17 @@ def test_who_else_includes_it_is_asked_for_what_it_sees_alone(caller: str, tmp_p
         )
 
 
+def test_of_many_that_include_it_the_first_twenty_are_asked(tmp_path: Path) -> None:
+    include = f'<include file="{MAIN}"/>'
+    names = [f"{number}.launch" for number in range(30)]
+    write(case("[[n]]", files=dict.fromkeys(names, include)), tmp_path)
+    callers = (Caller(str(tmp_path / name)) for name in names)
+    with inside(tmp_path):
+        guard = Guard(session_in(tmp_path), lambda _: callers)
+        assert guard.refusal(str(tmp_path / MAIN), content(MAIN, "[[n]]"), content(MAIN, "[[n]] ")) == ""
+    assert next(callers).file == str(tmp_path / "20.launch")
+
+
 @pytest.mark.parametrize(
     ("before", "after", "why"),
     [
