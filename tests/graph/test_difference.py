@@ -111,7 +111,19 @@ def test_partners_are_counted_and_a_few_named() -> None:
 
 
 def test_what_was_not_certain_cannot_be_lost() -> None:
-    assert lost(difference(tiny.topology("/a > /x?", "/b < /x"), tiny.topology("/b < /x"))) == []
+    for nodes in ([], [tiny.node("/a")]):
+        assert lost(difference(tiny.topology("/a > /x?", "/b < /x"), tiny.topology("/b < /x", nodes=nodes))) == []
+
+
+def test_topics_of_an_action_are_not_told_beside_it() -> None:
+    before = tiny.topology("/a > /go/goal", "/b < /go/goal")
+    topics = tuple(each._replace(action="/go") for each in before.connections)
+    assert lost(difference(before._replace(connections=topics), tiny.topology("/b < /go/goal", nodes=[tiny.node("/a")]))) == []
+
+
+def test_a_loss_is_told_beside_what_had_no_partner() -> None:
+    before = tiny.topology("/a > /v", "/a > /x", "/b < /x")
+    assert [link.name for link in difference(before, tiny.topology("/a > /v", "/b < /x")).lost] == ["/x", "/x"]
 
 
 def test_hubs_and_plumbing_cannot_be_lost() -> None:
