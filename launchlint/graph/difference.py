@@ -204,9 +204,8 @@ def _what(link: Link) -> tuple[str, ...]:
 
 
 def _default(topology: Topology) -> Topology:
-    """The default configuration alone."""
+    """What is there by default, as if it always were."""
     return topology._replace(
-        configurations=topology.configurations[:1],
         nodes=tuple(node._replace(only=()) for node in topology.nodes if is_default(node, topology)),
         connections=tuple(each._replace(only=()) for each in topology.connections if is_default(each, topology)),
     )
