@@ -74,6 +74,9 @@ CHANGED: dict[str, tuple[str, str, str]] = {
         "[[n]]<remap from='a' to='b'/>[[m]]", "<remap from='a' to='b'/>[[n]][[m]]",
         "the node '/n' would change: remaps from nothing to (('a', 'b'),)",
     ),
+    "a remap to a name that comes before its own": (
+        '[[n | <remap from="b" to="a"/>]]', "[[n]]", "the node '/n' would change: remaps from (('b', 'a'),) to nothing",
+    ),
     "the order of remaps": (
         "<remap from='a' to='b'/><remap from='/a' to='c'/>[[n]]", "<remap from='/a' to='c'/><remap from='a' to='b'/>[[n]]",
         "the node '/n' would change: remaps from (('a', 'b'), ('/a', 'c')) to (('/a', 'c'), ('a', 'b'))",
