@@ -28,7 +28,7 @@ MOST_SOURCES = 400
 _MOST_SCANNED = 1_500
 _MOST_DESCRIPTIONS = 50
 
-_EXPORTED = re.compile(r"<\w+\s[^>]*?\bplugin\s*=\s*[\"']([^\"'\n\0]{1,300})[\"']")
+_EXPORTED = re.compile(r"<\w+\s[^<>]*?\bplugin\s*=\s*[\"']([^\"'\n\0]{1,300})[\"']")
 _MAIN = re.compile(r"^[ \t]*(?:int[ \t\n]+main|TEST|TEST_[FP]|TEST_CASE|SCENARIO)[ \t\n]*\(", re.MULTILINE)
 
 

@@ -11,8 +11,8 @@ from launchlint.workspace.reading import read_bytes
 _LARGEST = 4 << 20
 _COMMIT = re.compile(r"[0-9a-f]{40}")
 _REFERENCE = re.compile(r"refs/[\w./+@-]{1,200}")
-_ORIGIN = re.compile(r'^\s*\[remote "origin"\]\s*$(?P<body>(?:\n(?!\s*\[).*)*)', re.MULTILINE)
-_URL = re.compile(r"^\s*url\s*=\s*(\S+)\s*$", re.MULTILINE)
+_ORIGIN = re.compile(r'^[ \t]*\[remote "origin"\][ \t]*$(?P<body>(?:\n(?![ \t]*\[).*)*)', re.MULTILINE)
+_URL = re.compile(r"^[ \t]*url[ \t]*=[ \t]*(\S+)[ \t]*$", re.MULTILINE)
 _SSH = re.compile(r"(?:ssh://)?(?:[\w.-]+@)?([\w.-]+\.[a-z]+)(?::|/)(?!//)(?:\d+/)?([\w./-]+)")
 _HTTP = re.compile(r"(https?)://(?:[^/@\s]*@)?([\w.-]+(?::\d+)?)/([\w./~+-]+)")
 

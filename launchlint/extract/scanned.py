@@ -15,8 +15,9 @@ _LOADER = re.compile(r"\bnodelet::Loader\b")
 _CLASS_LOADER = re.compile(r"\bClassLoader\s*<")
 # An object of its own at the level of a namespace: Registry::Entry<Map> Map::entry("Map"); or a macro that makes one.
 _REGISTERS = re.compile(
-    r"^[ \t]*(?:static[ \t]+)?(?:const[ \t]+)?[\w:]*[Rr]egist[\w:]*(?:[ \t]*<[^;{}()<>]{1,300}>)?[ \t\n]+[\w:]{1,200}[ \t\n]*[({=]"
-    r"|^[ \t]*(?!PLUGINLIB_|NODELET_|POINT_CLOUD_|GZ_|CLASS_LOADER_)[A-Z_]*REGISTER[A-Z_]*[ \t]*\(",
+    r"^[ \t]*(?:static[ \t]+)?(?:const[ \t]+)?"
+    r"[\w:]{0,200}[Rr]egist[\w:]{0,200}(?:[ \t]*<[^;{}()<>]{1,300}>)?[ \t\n]+[\w:]{1,200}[ \t\n]*[({=]"
+    r"|^[ \t]*(?!PLUGINLIB_|NODELET_|POINT_CLOUD_|GZ_|CLASS_LOADER_)[A-Z_]{0,200}REGISTER[A-Z_]{0,200}[ \t]*\(",
     re.MULTILINE,
 )
 _MOST_KEPT = 20_000

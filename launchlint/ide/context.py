@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Literal
 
-_NAME = r"[A-Za-z_:][\w:.-]*"
+_NAME = r"[A-Za-z_:][\w:.-]{0,200}"
 _TAG = late(rf"<!--.*?(?:-->|$)|<(/?)({_NAME})((?:\s+{_NAME}\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*)\s*(/?)>", re.DOTALL)
 _PAIR = late(rf"({_NAME})\s*=\s*(?:\"([^\"<]*)\"|'([^'<]*)')")
 _IN_VALUE = late(rf"({_NAME})\s*=\s*(?:\"([^\"<]*)|'([^'<]*))$")

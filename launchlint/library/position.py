@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 _DECODER = json.JSONDecoder()
 _BLANKS = late(r"[ \t\n\r]*")
-_TOKEN = late(r'"(?:[^"\\]|\\.)*"|NaN|-?Infinity|-?[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?', re.DOTALL)
+_TOKEN = late(r'"(?:[^"\\]|\\.)*(?:"|\\?\Z)|NaN|-?Infinity|-?[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?', re.DOTALL)
 _ESCAPE = late(r"\\(?:u[dD][89abAB]..\\u[dD][c-fC-F]..|(u[dD][89a-fA-F]..)|.)", re.DOTALL)
 
 LONGEST_NUMBER = 4_300

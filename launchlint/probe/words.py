@@ -10,7 +10,7 @@ import re
 _OWNER_AND_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,99}/[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}")
 _URL = re.compile(r"(?:https?|ssh|git|file)://[A-Za-z0-9/][\w.:@/~+%-]{0,499}", re.ASCII)
 _SCP = re.compile(r"[A-Za-z0-9_][\w.-]{0,63}@[A-Za-z0-9][\w.-]{0,199}:[\w~/][\w./~+-]{0,299}", re.ASCII)
-_PASSWORD = re.compile(r"[a-z]+://[^/@]*:[^/@]*@")
+_PASSWORD = re.compile(r"[a-z]+://[^/@:]*:[^/@]*@")
 
 _PIP_VERSION = r"(?:==|>=|<=|!=|~=|<|>)[A-Za-z0-9][\w.*+!-]{0,49}"
 _SYNTAX = {

@@ -24,7 +24,7 @@ ANY = "{any}"
 ANY_TEXT = Text(ANY)
 """A string of which nothing is known."""
 ANYS = re.compile(r"(?:\{any\}){2,}")
-_FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?[#0\- +]*(?P<width>\d+|\*)?(?:\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
+_FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?[#0\- +]*(?P<width>[1-9]\d*|\*)?(?:\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
 
 
 def escaped(text: str) -> str:

@@ -7,7 +7,7 @@ import re
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.registry import Entry
 
-_BLOCK = re.compile(r"^```(?P<info>[^\n`]*)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+_BLOCK = re.compile(r"^```(?P<info>[^\n`]*)\n(?P<text>.*?)(?:^```$|\Z)", re.MULTILINE | re.DOTALL)
 _TELLS = {"refuses": "roslaunch refuses the file", "reports": "roslaunch-check reports it", "nobody": "nobody tells you today"}
 _FIXES = {"safe": "--fix repairs it", "unsafe": "--unsafe-fixes repairs it", "never": "a person has to repair it"}
 

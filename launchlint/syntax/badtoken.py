@@ -147,7 +147,7 @@ def _swallowed(text: str, written: Written) -> bool:
 
 def _open_quote(text: str, written: Written) -> Verdict:
     value = text[written.value_start : written.value_end if written.value_end >= 0 else len(text)]
-    cut = re.search(r"\s+[\w.:-]+[ \t]*=|\s*/?>|[\r\n]", value)
+    cut = re.search(r"(?<!\s)(?:\s+[\w.:-]+[ \t]*=|\s*/?>)|[\r\n]", value)
     end = written.value_start + (cut.start() if cut else len(value))
     return Verdict(
         f"the value of {written.name} has no closing quote", Span(written.start, end), f"close it with {text[written.value_start - 1]}"

@@ -11,7 +11,7 @@ from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
 
 # One step of the tokenizer each; possessive in effect, since every alternative starts with a different character.
-_SPACE = late(r"(?:[\s;]|#(?!\[=*\[)[^\n]*)+")
+_SPACE = late(r"(?:[\s;]|#(?!\[=*\[)[^\n]*(?![^\n]))+")
 _BRACKET = late(r"\[(=*)\[")
 _IDENTIFIER = late(r"[A-Za-z_][A-Za-z0-9_]*")
 _QUOTED = late(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)

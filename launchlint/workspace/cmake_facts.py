@@ -36,11 +36,11 @@ _MOST_SOURCES = 2_000
 _MOST_GENERATED = 300
 _MOST_ARGUMENTS = 20
 
-_TARGET = late(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
-_TEST_TARGET = late(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?|catch_add_(?:rostest_node|test)")
-_LIBRARY = late(r"(?:\w+_)?add_(?:\w+_)?library")
-_MAKES_TARGETS = late(r"add_(?:\w+_)?(?:executable|library)|target_(?:link|sources)")
-_WRAPPER = late(r"(?:\w+_)?(?:binary|executable|exe|node|program)(?:_\w+)?")
+_TARGET = late(r"(?:\w{1,100}_)?add_(?:\w{1,100}_)?executable(?:_with_gtest)?")
+_TEST_TARGET = late(r"(?:\w{1,100}_)?add_(?:\w{1,100}_)?(?:gtest|gmock)(?:_test)?|catch_add_(?:rostest_node|test)")
+_LIBRARY = late(r"(?:\w{1,100}_)?add_(?:\w{1,100}_)?library")
+_MAKES_TARGETS = late(r"add_(?:\w{1,100}_)?(?:executable|library)|target_(?:link|sources)")
+_WRAPPER = late(r"(?:\w{1,100}_)?(?:binary|executable|exe|node|program)(?:_\w{1,100})?")
 _NO_WRAPPER = late(r"test|library|plugin|nodelet|install")
 _TARGET_WORDS = frozenset(
     """SHARED STATIC MODULE OBJECT INTERFACE PUBLIC PRIVATE EXCLUDE_FROM_ALL WIN32 MACOSX_BUNDLE LINK_PUBLIC LINK_PRIVATE

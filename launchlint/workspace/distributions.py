@@ -35,7 +35,7 @@ _ON_UBUNTU = re.compile(r"\bubuntu[ :_-]{1,2}(1[468]\.04|20\.04)\b", re.IGNORECA
 
 # Not what builds ROS itself, with the catkin that lies among its sources.
 _INSTALLS = re.compile(
-    r"(?<!catkin/bin/)\bcatkin_make(?:_isolated)?\b[^\n#]*\binstall\b|\bcatkin[ \t]+config\b[^\n#]*[ \t]--install\b"
+    r"(?<!catkin/bin/)\bcatkin_make(?:_isolated)?\b[^\n#]{0,400}\binstall\b|\bcatkin[ \t]+config\b[^\n#]{0,400}[ \t]--install\b"
     r"|\bindustrial_ci\b|\bbloom-(?:release|generate)\b|\bdpkg-buildpackage\b"
 )
 _COLCON = re.compile(r"\bcolcon[ \t]+build\b")

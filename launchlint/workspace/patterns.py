@@ -27,7 +27,7 @@ def _compiled(pattern: str) -> re.Pattern[str]:
     anchored = "/" in text
     text = re.sub(r"/{2,}", "/", text.lstrip("/"))
     parts: list[str] = []
-    for piece in re.findall(r"/\*\*/|\*\*/|/\*\*$|\*+|\?|\[!?\]?[^\]/]*\]|[^*?\[/]+|.", text, re.DOTALL):
+    for piece in re.findall(r"/\*\*/|\*\*/|/\*\*$|\*+|\?|\[!?\]?[^\]/]{0,200}\]|[^*?\[/]+|.", text, re.DOTALL):
         if piece in ("**/", "/**/"):
             parts.append(piece[: -len("**/")] + "(?:[^/]+/)*")
         elif piece == "/**":

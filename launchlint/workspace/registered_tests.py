@@ -4,21 +4,31 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 
 from launchlint.late import late
+from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import content
 
 CMAKE_FILE = "CMakeLists.txt"
 TEST_END = ".test"
 
 _LONGEST_LINE = 1_000
-_REGISTERS = late(r"\w*rostest\w*[ \t]*\(")
-_NAMES_TEST = late(r"[\w.-]+\.(?:test|launch)\b")
-_COMMAND = late(r"\b(\w*(?:rostest|roslaunch)\w*)[ \t]*\(([^()]*)\)")
+_CALLED = late(r"\b(\w+)[ \t]*\(")
+_NAMES_TEST = late(r"(?<![\w.-])[\w.-]+\.(?:test|launch)\b")
+_COMMAND = late(r"\b(\w+)[ \t]*\(([^()]*)\)")
 _TESTS = late(r"(?:^|/)tests?/")
 _WORD = late(r"[\w./+-]+")
 _ELSEWHERE = late(r"(?i)\b(?:add_subdirectory|foreach|include)[ \t]*\(|\bGLOB|\*\.test|\}[\w.-]*\.test")
 """What may register tests that cannot be seen here."""
+
+
+class Registering(NamedTuple):
+    """A ``command`` that registers tests: what stands in its brackets, as it is written, and the ``paths`` in it."""
+
+    command: str
+    text: str
+    paths: frozenset[str]
 
 
 def why_not_started(directory: str, file: str) -> str | None:
@@ -36,13 +46,18 @@ def why_not_started(directory: str, file: str) -> str | None:
     if re.search(rf"(?<![\w.-]){re.escape(stem)}(?![\w-])", active):
         return None
     for number, (_, _, comment) in enumerate(lines, 1):
-        if name in _NAMES_TEST.findall(comment) and _REGISTERS.search(comment):
+        if name in _NAMES_TEST.findall(comment) and _registers(comment):
             return f"nothing starts this test: its command is commented out in {CMAKE_FILE}, line {number}"
-    if not _REGISTERS.search(active) or _ELSEWHERE.search(active):
+    if not _registers(active) or _ELSEWHERE.search(active):
         return None
     if not any(each.endswith(TEST_END) for each in _NAMES_TEST.findall(active)):
         return None
     return f"nothing starts this test: {CMAKE_FILE} registers others, and not this one"
+
+
+def _registers(code: str) -> bool:
+    """Whether a command is called that has to do with rostest."""
+    return any("rostest" in command for command in _CALLED.findall(code))
 
 
 def is_only_checked(directory: str, file: str) -> bool:
@@ -58,9 +73,11 @@ def is_only_checked(directory: str, file: str) -> bool:
     above = {inside}
     while inside := os.path.dirname(inside):
         above.add(inside)
-    registered = {
-        "rostest" not in command.lower()
-        for command, words in _COMMAND.findall(code)
-        if any(word.rstrip("/").removeprefix("./") in above for word in _WORD.findall(words))
-    }
-    return registered == {True}
+    return {"rostest" not in each.command.lower() for each in registering(code) if not above.isdisjoint(each.paths)} == {True}
+
+
+def registering(code: str) -> Iterator[Registering]:
+    """The commands of CMake in ``code`` (without comments) that have to do with rostest or roslaunch."""
+    for command, text in _COMMAND.findall(code):
+        if "rostest" in command or "roslaunch" in command:
+            yield Registering(command, text, frozenset(word.rstrip("/").removeprefix("./") for word in _WORD.findall(text)))

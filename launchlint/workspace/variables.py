@@ -18,7 +18,7 @@ _SHELL_ENDS = (".sh", ".bash", ".zsh", ".env", ".service", ".rc", ".bashrc", ".z
 _SOURCE_ENDS = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
 _COMPOSE_ENDS = (".yml", ".yaml")
 _SHELL = re.compile(r"^[ \t]*(?:(?:export|declare -x)[ \t]+|Environment=[\"']?)?([A-Za-z_]\w*)=", re.MULTILINE)
-_SHELL_NAME = re.compile(r"\.?[\w-]*(?:env|setup|profile|vars)[\w-]*", re.IGNORECASE)
+_SHELL_NAME = re.compile(r"\.?[\w-]{0,255}(?:env|setup|profile|vars)[\w-]{0,255}", re.IGNORECASE)
 """What people call a shell file that they source, without an ending: ``envsetup``."""
 _DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)|(?<=\\\n)[ \t]*([A-Za-z_]\w*)=", re.MULTILINE | re.IGNORECASE)
 """In an image; one ``ENV`` may go on in further lines."""
@@ -26,7 +26,7 @@ _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", 
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 # No grammar, a look through whole files, comments and all: that a variable is read in many files is a reason for less, never for more.
 _LAUNCH = re.compile(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _OPTIONAL = re.compile(r"\$\(\s*(?:optenv\s+([A-Za-z_]\w*)|env\s+([A-Za-z_]\w*)\s+[^\s)])")
 """Read with a default, in ROS 1 or in ROS 2."""
 _SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"']([A-Za-z_]\w*)[\"']")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from launchlint.model import Launch, Node, ParameterSetting
     from launchlint.source import Place
 
-_ANONYMOUS = re.compile(r"_anon\d+|_[\w.]+_\d+_-?\d+")
+_ANONYMOUS = re.compile(r"_anon\d+|_[\w.]{1,100}_\d{1,20}_-?\d+")
 PLACEHOLDER = "launchlint_placeholder"
 """The one param of files that a person has to rewrite, as long as nobody has."""
 _NOT_ITS_OWN = ("use_sim_time", PLACEHOLDER)

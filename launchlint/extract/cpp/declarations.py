@@ -30,10 +30,10 @@ _ASSIGNED = re.compile(
 )
 """By itself, or through its address, which is given to a function."""
 _MESSAGE = re.compile(r"(\w+)/(\w+)\.h|(\w+)/(msg|srv|action)/(?:detail/)?(\w+?)(?:__\w+)?\.hpp")
-_MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*;?\s*$")
+_MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*(?:;\s*)?$")
 _VIRTUAL = re.compile(r"\b(?:virtual|override|final)\b")
 _OF_CONSTANT = re.compile(r"\)\s*const\b")
-_TEST = re.compile(r"(?:TYPED_)?TEST(?:_[FP])?|TYPED_TEST_P|BOOST_\w*TEST_CASE\w*|TEST_CASE\w*|SCENARIO\w*")
+_TEST = re.compile(r"(?:TYPED_)?TEST(?:_[FP])?|TYPED_TEST_P|BOOST_\w{0,200}TEST_CASE\w*|TEST_CASE\w*|SCENARIO\w*")
 _OF_ROS = re.compile(r"(?:ros|nodelet|tf|tf2_ros|actionlib|image_transport|rclcpp|rclcpp_\w+|\w+_msgs|\w+_srvs)/")
 _QUALIFIED = re.compile(r"(?:::)?[A-Za-z_]\w{0,100}(?:::[A-Za-z_]\w{0,100}){1,8}")
 

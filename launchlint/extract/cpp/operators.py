@@ -84,7 +84,7 @@ def combined(machine: Machine, sign: str, left: Value, right: Value) -> Value:
 
 def filled(text: str, value: str) -> str:
     """A format with its first place filled in (boost::format, printf)."""
-    match = re.search(r"%(?:\d+%|\d+\$\w|[-+ #0]*(\d*)(?:\.\d+)?(?:hh|h|ll|l|z)?[a-zA-Z])", text)
+    match = re.search(r"%(?:\d+%|\d+\$\w|[-+ #0]*([1-9]\d*|)(?:\.\d+)?(?:hh|h|ll|l|z)?[a-zA-Z])", text)
     if match is None:
         return text
     if match[0].startswith("%0") and match[1] and value.isdigit():

@@ -67,7 +67,7 @@ def parse_type(text: str) -> Type:
     if len(text) > _LONGEST:
         return UNTYPED
     plain = " ".join(_IGNORED.sub(" ", text).split())
-    plain = re.sub(r"\s*(::|<|>|,)\s*", r"\1", plain)
+    plain = re.sub(r" ?(::|<|>|,) ?", r"\1", plain)
     return _parsed(plain, 0)
 
 

@@ -49,7 +49,7 @@ _EACH = re.compile(r"\b(?:BOOST_|Q_)?FOREACH[ \t]*\(|\bforeach[ \t]*\(|\bQ_FOREA
 _WORDS_OF_TESTS = ("TEST_CASE", "SCENARIO")
 _TESTS = re.compile(r'^[ \t]*(TEST_CASE|SCENARIO)[ \t\n]*\([ \t\n]*(?:"(?:[^"\\\n]|\\.)*"[ \t\n,]*){1,4}\)(?=[ \t\n]*\{)', re.MULTILINE)
 
-_AMID = re.compile(r"[,(][ \t]*(?://[^\n]*)?\n(?=[ \t]*#[ \t]*if)")
+_AMID = re.compile(r"[,(][ \t]*(?://[^\n]{0,200})?\n(?=[ \t]*#[ \t]*if)")
 _DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|el|endif)")
 _NEVER = re.compile(r"[ \t]*#[ \t]*if[ \t]+0\b")
 _LONGEST_CONDITIONAL = 200

@@ -18,7 +18,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
-_OF_FIXTURES = re.compile(r"\w*(?:TEST_[FP]|FIXTURE_TEST_CASE\w*|TEST_CASE_METHOD)")
+_OF_FIXTURES = re.compile(r"\w{0,200}(?:TEST_[FP]|FIXTURE_TEST_CASE\w*|TEST_CASE_METHOD)")
 
 
 def follow(machine: Machine) -> bool:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _MOST_SLOTS = 200
 _MOST_OBJECTS = 20
-_SLOT = re.compile(r"on_\w+_\w+")
+_SLOT = re.compile(r"on_\w{1,200}_\w{1,200}")
 _OF_QT = re.compile(r"Q[A-Z]\w*")
 _UNNAMED = re.compile(r"~|operator\W")
 

@@ -25,7 +25,7 @@ from launchlint.python.text import joined
 from launchlint.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Unknown, Value
 from launchlint.workspace.looking import read_bytes
 
-_PLUGIN = re.compile(r"<class\s[^>]*?\btype\s*=\s*[\"']([\w.]+)[\"'][^>]*?rqt_gui_py")
+_PLUGIN = re.compile(r"<class\s[^<>]*?\btype\s*=\s*[\"']([\w.]+)[\"'][^<>]*?rqt_gui_py")
 
 
 class Extracted(NamedTuple):

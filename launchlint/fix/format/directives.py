@@ -6,7 +6,7 @@ import re
 
 from launchlint.fix.format.tokens import Token
 
-_DIRECTIVE = re.compile(r"\s*launchlint\s*:\s*format\s*:?\s*(on|off)\b.*", re.IGNORECASE | re.DOTALL)
+_DIRECTIVE = re.compile(r"\s*launchlint\s*:\s*format\s*(?::\s*)?(on|off)\b.*", re.IGNORECASE | re.DOTALL)
 
 
 def directive(comment: str) -> str:

@@ -12,7 +12,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.ros2.order import ORDER
 
-_ATTRIBUTE = re.compile(r"""([^ \t\n=/>"']+)[ \t\n]*=[ \t\n]*(?:"([^"]*)"|'([^']*)')""")
+_ATTRIBUTE = re.compile(r"""(?<![^ \t\n=/>"'])([^ \t\n=/>"']+)[ \t\n]*=[ \t\n]*(?:"([^"]*)"|'([^']*)')""")
 
 
 class Attribute(NamedTuple):

@@ -12,7 +12,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.source import Span
 from launchlint.syntax.ros2.python.tables import class_of_kind, signature
 
-_LINE = late(r"^([ ]*)((?:-[ ]+)*)(?:([\w$-]+)[ ]*:(?=[ ]|$)[ ]*)?(.*)$")
+_LINE = late(r"^([ ]*)((?:-[ ]+)*)(?:([\w$-]+)[ ]*:(?=[ ]|$)[ ]*)?(.*)")
 _HOLDING = ("launch", "group")
 """The keys below which there is one action an item."""
 _MOST_LINES = 2_000
@@ -103,7 +103,7 @@ IN_XML: Mapping[str, str] = {
 _SHARE = ("package_name",)
 """What ament_index_python's get_package_share_directory takes."""
 
-_KEYWORD = late(r"(\w+)\s*=\s*(?:[fr]?(['\"])([^'\"\n]*)\2)?")
+_KEYWORD = late(r"\b(\w+)\s*=\s*(?:[fr]?(['\"])([^'\"\n]*)\2)?")
 XML_NAMES: Mapping[str, str] = {"package": "pkg", "package_name": "pkg", "executable": "exec"}
 _MOST_BEHIND = 20_000
 
@@ -129,13 +129,13 @@ def python_context(text: str, offset: int, distro: str) -> Context:
     for match in _KEYWORD.finditer(_rest(text, offset)):
         given.setdefault(XML_NAMES.get(match[1], match[1]), match[3] or "")
     if quoted is None:
-        word = re.search(r"\w*$", inside)
+        word = re.search(r"(?<!\w)\w*$", inside)
         assert word is not None
         if re.search(r"(?:^|,)\s*\w*$", inside) is None:
             return Context("", Span(offset, offset))
         return Context("attribute", Span(offset - len(word[0]), offset), name, "", given)
     head = inside[: len(inside) - len(quoted) - 1].rstrip().rstrip("fr")
-    keyword = re.search(r"(\w+)\s*=$", head)
+    keyword = re.search(r"\b(\w+)\s*=$", head)
     if keyword is None and head.strip():
         return Context("", Span(offset, offset))
     attribute = next(iter(known)) if keyword is None else keyword[1]
@@ -168,7 +168,7 @@ def _opened(text: str) -> tuple[str, str, str | None] | None:
         number += 1
     if not open_calls or text[open_calls[-1]] != "(":
         return None
-    called = re.search(r"(\w+)\s*$", text[: open_calls[-1]])
+    called = re.search(r"\b(\w+)\s*$", text[: open_calls[-1]])
     return None if called is None else (called[1], text[open_calls[-1] + 1 :], text[begun:] if quote else None)
 
 

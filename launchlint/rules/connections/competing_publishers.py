@@ -63,7 +63,7 @@ RULE = Rule("LL616", "competing-publishers", Severity.WARNING)
 
 COMMANDS = frozenset({"cmd_vel", "cmd_vel_unstamped", "cmd_vel_stamped", "cmd", "cmd_drive", "ackermann_cmd", "command", "commands"})
 """Last parts of the names of topics that command something: a driver obeys each message on them."""
-DEAD_MAN = late(r"dead_?man|(?:.*/)?enable_(?:button|axis)\Z", re.IGNORECASE)
+DEAD_MAN = late(r"dead_?man|enable_(?:button|axis)\Z", re.IGNORECASE)
 """The param of the button, or axis, that must be held while a joystick commands; a negative number says that there is none."""
 TURNS = "trajectory_msgs/"
 """The package of messages that say all that is to be done: nodes take turns in sending them."""

@@ -91,7 +91,8 @@ _WORD = late(r"[^$\s\"';,:]*")
 _ANY_NAME = "$(find pkg)/… or $(dirname)/…"
 _SYSTEM = r"/(?:etc|dev|tmp|var|run|mnt|media|sys|proc|opt/(?!ros/))"
 _PERSONAL = r"/home/[^/$]+/|/Users/[^/$]+/|/root/|/(?:[^/]*_ws|src)/|/opt/ros/|[A-Za-z]:[\\/]"
-_PACKAGE = r"/(?:src|share)/(?:.*/)?(\w+)/((?:launch|config|params|param|cfg|urdf|maps|map)/.*)$"
+_ABOVE_PACKAGES = r"/(?:src|share)/(.*)"
+_PACKAGE = r"(?s)(?:.*/)?(\w+)/((?:launch|config|params|param|cfg|urdf|maps|map)/.*)"
 
 
 class _Fault(NamedTuple):
@@ -256,7 +257,8 @@ def _fault(parts: Parts, tag: str, view: FileView) -> _Fault | None:
 def _absolute(value: str, tag: str) -> _Fault | None:
     if re.match(_SYSTEM, value) or (tag != "include" and re.match(_PERSONAL, value) is None and "/src/" not in value):
         return None
-    packaged = re.search(_PACKAGE, value)
+    above = re.search(_ABOVE_PACKAGES, value)
+    packaged = None if above is None else re.fullmatch(_PACKAGE, above[1])
     instead = f"$(find {packaged[1]})/{packaged[2]}" if packaged else ""
     home = re.search(_HOME, value)
     start = "/".join(value.split("/")[:3]) if home is None else home[0]

@@ -9,15 +9,13 @@ from launchlint.late import late
 from launchlint.workspace.looking import Looked, content, is_file, note, walk, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
-from launchlint.workspace.registered_tests import CMAKE_FILE, TEST_END
+from launchlint.workspace.registered_tests import CMAKE_FILE, TEST_END, registering
 from launchlint.workspace.texts import texts
 
 _TESTS = late(r"(?:^|/)tests?/")
-_REGISTERS = late(r"\b\w*(?:rostest|roslaunch)\w*[ \t]*\([^()]*\)")
-_SEVERAL = late(r"\$\{")
+_SEVERAL = "${"
 """What is registered here is called by names that cannot be seen."""
-_WORD = late(r"[\w./+-]+")
-_NAMED = late(r"[\w-][\w.-]*\.(?:launch|xml)\b(?:\.xml\b)?")
+_NAMED = late(r"(?<![\w.-])\.*([\w-][\w.-]*\.(?:launch|xml)\b(?:\.xml\b)?)")
 _STARTS = late(r"roslaunch|rostest")
 _LAUNCH_ENDS = (".launch", ".xml", TEST_END)
 _TELLS = (".md", ".rst", ".txt", ".yml", ".yaml")
@@ -52,12 +50,7 @@ def _is_registered(inside: str, directory: str) -> bool:
     above = {inside}
     while inside := posixpath.dirname(inside):
         above.add(inside)
-    for command in _REGISTERS.finditer(code):
-        if _SEVERAL.search(command[0]) is not None or any(
-            word.rstrip("/").removeprefix("./") in above for word in _WORD.findall(command[0])
-        ):
-            return True
-    return False
+    return any(_SEVERAL in each.text or not above.isdisjoint(each.paths) for each in registering(code))
 
 
 def _is_named(name: str, itself: str, home: Package, packages: Packages) -> bool:

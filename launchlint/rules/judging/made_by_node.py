@@ -18,7 +18,7 @@ from launchlint.workspace.packages import Packages
 from launchlint.workspace.text_parts import WRITES
 
 _MOST_WORDS = 2_000
-_COMMENT = late(r"<!--.*?-->", re.DOTALL)
+_COMMENT = late(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _ELEMENT = late(r"<(node|param|arg)\b[^<>]*")
 _ATTRIBUTE = late(r"""\b(type|name|args|value|default)\s*=\s*("[^"]*"|'[^']*')""")
 _WORD = late(r"\S+")

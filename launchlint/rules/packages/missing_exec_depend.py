@@ -376,7 +376,7 @@ def _is_commented_out(name: str, manifest: Manifest) -> bool:
     """Whether the dependency stands in a comment of the manifest: somebody took it out and meant to."""
     return any(
         re.search(rf"depend>\s*{re.escape(name)}\s*<", comment) is not None
-        for comment in re.findall(r"<!--(.*?)-->", manifest.source.text, re.DOTALL)
+        for comment in re.findall(r"<!--(.*?)(?:-->|\Z)", manifest.source.text, re.DOTALL)
     )
 
 

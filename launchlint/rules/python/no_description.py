@@ -45,7 +45,7 @@ from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NoDescription, NotAnAction
 
 RULE = Rule("LL932", "no-description", Severity.ERROR, roslaunch="refuses")
-_LAUNCH = re.compile(r"^\s*(?:from|import)[ \t]+launch", re.MULTILINE)
+_LAUNCH = re.compile(r"^[ \t]*(?:from|import)[ \t]+launch", re.MULTILINE)
 _ENTRY = "generate_launch_description"
 
 

@@ -58,7 +58,7 @@ from launchlint.workspace.looking import content
 
 _COLON = re.compile(rb":(?:[ \t]|$)", re.MULTILINE)
 # xacro takes out the comments in front of its own elements (xacro.remove_previous_comments).
-_LEFT_OUT = re.compile(rb"(?:<!--(?:(?!-->).){0,2000}-->[ \t\r]*\n?[ \t\r]*){1,50}(?=<xacro:)", re.DOTALL)
+_COMMENTS = re.compile(rb"(?:<!--.*?(?:-->|\Z)[ \t\r]*(?:\n[ \t\r]*)?)+(<xacro:)?", re.DOTALL)
 RULE = Rule("LL907", "string-parsed-as-yaml", Severity.WARNING)
 
 
@@ -88,7 +88,7 @@ def tell(problem: CommandReadAsYaml, view: object) -> Iterator[Finding]:
 
 def _breaks(file: str) -> str:
     """What in a file is something else in YAML than in a text; empty where nothing is, or the file is not known."""
-    data = _LEFT_OUT.sub(b"", (content(file) or b"") if file else b"")
+    data = _COMMENTS.sub(lambda match: match[1] or match[0], (content(file) or b"") if file else b"")
     if _COLON.search(data):
         return "a colon with a blank behind it, at which ros2 launch stops unless xacro leaves that part out"
     return "a blank and a # behind it: the rest of that line is lost" if b" #" in data else ""

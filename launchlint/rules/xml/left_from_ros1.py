@@ -73,7 +73,7 @@ from launchlint.rules.view import FileView
 from launchlint.source import Place
 from launchlint.workspace.other_ros import built_for_ros2, left_over
 
-_NAMED = late(r"[^/]*ros_?1(?![0-9])[^/]*(?=/)")
+_NAMED = late(r"(?<![^/])[^/]{0,255}ros_?1(?![0-9])[^/]{0,255}(?=/)")
 RULE = Rule("LL115", "left-from-ros1", Severity.WARNING)
 
 

@@ -37,7 +37,7 @@ _HARMLESS = frozenset(
     """.split()
 )
 """Commands of ROS 2's own packages that make no program and install nothing that a launch file would name."""
-_MAKES = late(r"add_(?:\w+_)?(?:executable|library|gtest|gmock)")
+_MAKES = late(r"add_(?:\w{1,100}_)?(?:executable|library|gtest|gmock)")
 _AUTO_PACKAGE = late(r"(?:\w+_)?ament_auto_package")
 _AUTO_WORDS = frozenset(("INSTALL_TO_SHARE", "INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR"))
 _AUTO_TARGET_WORDS = frozenset(("NO_TARGET_LINK_LIBRARIES",))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 SETUP_CFG = "setup.cfg"
 
-_ENTRY = late(r"\s*([^=\s\[#;][^=]*?)\s*=\s*([\w.]+)\s*(?::\s*([\w.]+)\s*)?(?:\[.*\]\s*)?")
+_ENTRY = late(r"\s*([^=\s\[#;](?:[^=]*[^=\s])?)\s*=\s*([\w.]+)\s*(?::\s*([\w.]+)\s*)?(?:\[.*\]\s*)?")
 _BASES = ("$base/", "$platbase/", "$prefix/", "$userbase/")
 
 

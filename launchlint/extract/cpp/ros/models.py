@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
 
 ALL = ("publishers", "subscribers", "services", "clients", "actions", "params")
-_ARGUMENT = re.compile(r"<(\d)(?:\|([^>]*))?>")
+_ARGUMENT = re.compile(r"<(\d)(?:\|([^<>]*))?>")
 
 
 class Say(NamedTuple):

@@ -18,7 +18,7 @@ from launchlint.syntax.ros2.python.texts import is_substitution
 ENTRY = "generate_launch_description"
 _FOR_TESTS = "generate_test_description"
 _MAKING_NAMES = frozenset(("globals", "locals", "vars", "exec", "setattr"))
-_NEWER = re.compile(r"\s*(?:type\s+\w+.*=|(?:async\s+def|def|class)\s+\w+\s*\[)")
+_NEWER = re.compile(r"\s*(?:type\s+\w.*=|(?:async\s+def|def|class)\s+\w+\s*\[)")
 """Lines that a newer Python can read, and the one that launchlint runs with perhaps not."""
 
 

@@ -15,7 +15,7 @@ PATTERN, MATCH = "pattern", "match"
 _MOST_WORK = 1_000_000
 _LONGEST = 300
 _FLAGS: Mapping[str, int] = {name: int(getattr(re, name)) for name in ("I", "IGNORECASE", "M", "MULTILINE", "S", "DOTALL", "X", "VERBOSE")}
-_ESCAPED = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]", re.DOTALL)
+_ESCAPED = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*(?:\]|\\?\Z)", re.DOTALL)
 _REPEATED = re.compile(r"[*+]|\{\d*,\d*\}|\{\d{3,}\}")
 _FUNCTIONS = ("search", "match", "fullmatch", "findall", "split", "sub")
 
