@@ -8,8 +8,6 @@ from __future__ import annotations
 import json
 import shutil
 import sqlite3
-import subprocess
-import sys
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
@@ -19,7 +17,7 @@ import pytest
 from tests.check import test_asked as workspaces
 from tests.check.test_asked import put, remove, rename, replace
 from tests.check.test_trusted import Trusting
-from tests.cli.running import clean_environment, write
+from tests.cli.running import run_program, write
 
 PROGRAM = """
 import sys
@@ -62,12 +60,9 @@ class Workspace(Trusting):
 
     def run(self, *words: str, more: str = "") -> tuple[str, list[int]]:
         """What is said; how many entry files are computed, how many results read, how often is gathered, and judged."""
-        program = PROGRAM.format(more=more)
-        done = subprocess.run(
-            [sys.executable, "-c", program, *words], cwd=self.directory, env=clean_environment(self.cache), capture_output=True, text=True,
-            check=True, timeout=120,
-        )  # fmt: skip
-        said, _, counts = done.stdout.rstrip().rpartition("\n")
+        done = run_program(self.directory, PROGRAM.format(more=more), *words, cache=self.cache)
+        assert done.status == 0, done.errors
+        said, _, counts = done.output.rstrip().rpartition("\n")
         return said, [int(count) for count in counts.split()]
 
     @property
