@@ -37,6 +37,7 @@ def rewritten(source: str) -> str:
     result: list[str] = []
     statement: list[_Token] = []
     depth = 0
+    in_lambda = False  # a colon belongs to one
     for count, match in enumerate(_TOKEN.finditer("\n".join(lines))):
         if count > _MOST_TOKENS:
             raise ValueError("it is too long")
@@ -45,12 +46,16 @@ def rewritten(source: str) -> str:
             depth += 1
         elif token.text in _CLOSING and token.kind == "sign":
             depth = max(depth - 1, 0)
-        ends = depth == 0 and (token.kind == "newline" or (token.kind == "sign" and token.text in ";:" and not _lambda(statement)))
+        ends = depth == 0 and (token.kind == "newline" or (token.kind == "sign" and token.text in ";:" and not in_lambda))
         if ends:
             result += [*_statement(statement), token.text]
             statement = []
         else:
             statement.append(token)
+        if ends or token.text == ":":
+            in_lambda = False
+        elif token.text == "lambda":
+            in_lambda = True
     result += _statement(statement)
     return "".join(result)
 
@@ -59,12 +64,6 @@ def _untabbed(line: str) -> str:
     body = line.lstrip(" \t")
     indent = line[: len(line) - len(body)]
     return indent.expandtabs(8) + body if "\t" in indent else line
-
-
-def _lambda(statement: list[_Token]) -> bool:
-    """Whether a colon would belong to a lambda."""
-    words = [token.text for token in statement if token.kind in ("word", "sign")]
-    return "lambda" in words and ":" not in words[len(words) - words[::-1].index("lambda") :]
 
 
 def _statement(tokens: list[_Token]) -> list[str]:
