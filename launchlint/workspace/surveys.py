@@ -122,3 +122,11 @@ def container_directories(packages: Packages, _: str) -> frozenset[str]:
     from launchlint.workspace.container_homes import read_homes
 
     return packages.survey(read_homes).directories
+
+
+@question
+def placing_scripts(packages: Packages, word: str) -> tuple[str, ...]:
+    """The shell scripts of the workspaces (absolute) that copy programs to ``lib/PKG`` of the install space and name ``word``."""
+    from launchlint.workspace.placing_scripts import read_placing_scripts
+
+    return packages.survey(read_placing_scripts).known.get(word, ())

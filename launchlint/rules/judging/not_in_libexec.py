@@ -9,6 +9,7 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.package_contents import contents, installs
 from launchlint.workspace.looking import is_file
 from launchlint.workspace.put_aside import is_out_of_use
+from launchlint.workspace.surveys import placing_scripts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,7 +34,10 @@ class Missing(NamedTuple):
 
 
 def missing_programs(launch: Launch, packages: Packages) -> Iterator[Missing]:
-    """The nodes of ``launch`` whose program is not there, in order (launch_ros.substitutions.ExecutableInPackage)."""
+    """The nodes of ``launch`` whose program is not there, in order (launch_ros.substitutions.ExecutableInPackage).
+
+    A program that a shell script of the workspace copies there is passed over.
+    """
     for node in launch.nodes:
         name = node.executable
         if node.kind == "composable" or not node.knows("package", "executable") or not node.package or not name.strip() or "/" in name:
@@ -42,7 +46,7 @@ def missing_programs(launch: Launch, packages: Packages) -> Iterator[Missing]:
         if package is None:
             continue
         installed = installs(packages).of(package)
-        if installed.lacks_program(name):
+        if installed.lacks_program(name) and not _is_placed(package.name, name, packages):
             built = installed.elsewhere(name)
             yield Missing(node, package, installed, None if built is None else built.destination, _file(package, name, packages))
 
@@ -51,6 +55,12 @@ def build_file(package: Package) -> str:
     """The name of the file that says what ``package`` installs."""
     types = () if package.manifest is None else package.manifest.under({"ROS_VERSION": "2"}).build_types
     return next((_BUILD_FILES[each] for each in types if each in _BUILD_FILES), "CMakeLists.txt")
+
+
+def _is_placed(package: str, name: str, packages: Packages) -> bool:
+    """Whether a script that copies programs to the install space names both the package and the program."""
+    scripts = packages.answer(placing_scripts, name)
+    return bool(scripts) and not set(scripts).isdisjoint(packages.answer(placing_scripts, package))
 
 
 def _file(package: Package, name: str, packages: Packages) -> str | None:

@@ -11,6 +11,7 @@ that name, the help names it; a program or script (with the executable bit or wi
 `_test` or `_node` at the end comes first. Where the command that would build the program is commented out in `CMakeLists.txt`, a note says
 so. In ROS 2 only what is installed to `lib/PKG` counts, by `CMakeLists.txt` or by `setup.py` and `setup.cfg`: where these can be followed
 to their end and nothing in the package is called so, it is an error. What is built or lies there and is not installed is told by LL946.
+What a shell script of the workspace copies to `install/…/lib/` is passed over, where it names both the package and the program.
 
 ## Why it matters
 
