@@ -35,16 +35,18 @@ def install(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None
 def install_programs(facts: CMakeFacts, scope: Scope, how: str, arguments: Sequence[Value]) -> None:
     """The files behind PROGRAMS of ``install`` or of a command like it: they are installed to be run."""
     renamed = section(arguments, "RENAME")
-    for program in section(arguments, "PROGRAMS"):
-        if program is None or "$<" in program:
-            facts.executables_reasons.append(f"{how} with a file that is not known")
-            facts.installs_reasons.append(f"{how} with a file that is not known")
-            _gap(facts, f"{how} with a file that is not known", arguments)
-        elif program:
-            name = os.path.basename(renamed[0] or "" if renamed else program)
-            facts.executables.setdefault(name, f"{how}(PROGRAMS)")
-            facts.programs.setdefault(name, scope.path(program))
-            _installed(facts, scope, program, False, arguments)
+    programs = section(arguments, "PROGRAMS")
+    known = _known(programs)
+    if len(known) < len(programs):
+        facts.executables_reasons.append(f"{how} with a file that is not known")
+        facts.installs_reasons.append(f"{how} with a file that is not known")
+        _gap(facts, f"{how} with a file that is not known", arguments)
+    known = [each for each in known if each]
+    for program in known:
+        name = os.path.basename(renamed[0] or "" if renamed else program)
+        facts.executables.setdefault(name, f"{how}(PROGRAMS)")
+        facts.programs.setdefault(name, scope.path(program))
+    _installed(facts, scope, known, False, arguments)
 
 
 def _targets(facts: CMakeFacts, arguments: Sequence[Value]) -> None:
@@ -72,17 +74,24 @@ def _gap(facts: CMakeFacts, reason: str, arguments: Sequence[Value]) -> None:
 
 
 def _files(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value], is_directory: bool) -> None:
-    for path in section(arguments, "DIRECTORY" if is_directory else "FILES"):
-        if path is None or "$<" in path:
-            facts.installs_reasons.append("install with a path that is not known")
-            _gap(facts, "install with a path that is not known", arguments)
-        else:
-            _installed(facts, scope, path, is_directory, arguments)
+    paths = section(arguments, "DIRECTORY" if is_directory else "FILES")
+    known = _known(paths)
+    if len(known) < len(paths):
+        facts.installs_reasons.append("install with a path that is not known")
+        _gap(facts, "install with a path that is not known", arguments)
+    _installed(facts, scope, known, is_directory, arguments)
     if is_directory and "FILE_PERMISSIONS" in arguments:
         facts.executables_reasons.append("install(DIRECTORY) gives permissions")
 
 
-def _installed(facts: CMakeFacts, scope: Scope, path: str, is_directory: bool, arguments: Sequence[Value]) -> None:
+def _known(paths: Sequence[Value]) -> list[str]:
+    return [each for each in paths if each is not None and "$<" not in each]
+
+
+def _installed(facts: CMakeFacts, scope: Scope, paths: Sequence[str], is_directory: bool, arguments: Sequence[Value]) -> None:
+    """``paths`` are installed, all in the way that the ``arguments`` of one command say."""
+    if not paths:
+        return
     only: list[str] = []
     without: list[str] = []
     matching = False
@@ -101,19 +110,21 @@ def _installed(facts: CMakeFacts, scope: Scope, path: str, is_directory: bool, a
     destination = where[0] if where else None
     optional = "OPTIONAL" in arguments
     renamed = section(arguments, "RENAME")
-    facts.installs.append(
+    runnable = _runnable(arguments)
+    facts.installs += [
         Install(
             scope.path(path),
             is_directory,
             destination,
             tuple(only),
             tuple(without),
-            _runnable(arguments),
+            runnable,
             optional,
             contents=is_directory and path.endswith("/"),
             renamed=renamed[0] if renamed and not is_directory else "",
         )
-    )
+        for path in paths
+    ]
 
 
 def _runnable(arguments: Sequence[Value]) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import count
 
 from launchlint.errors import UsageError
 
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 
 _MOST_NODES = 1_500_000
 _DEEPEST = 400
+_FEWEST_STEPS = 2_000
+_STEPS_OF_KILOBYTE = 40
+"""Of the parser, each some hundred operations. Real sources take 5 to 18 for a kilobyte; what it cannot read may take thousands."""
 _ERROR = 0xFFFF
 _NO_FIELDS: dict[str, Node] = {}
 _NO_CHILDREN: list[Node] = []
@@ -158,6 +162,17 @@ def _parser() -> Parser:
     return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
 
 
+def _tree(source: bytes) -> Tree | None:
+    """What the parser makes of a source; ``None`` where it takes too many steps: it goes back and forth in what it cannot read."""
+    parser, steps = _parser(), count()
+    most = _FEWEST_STEPS + len(source) * _STEPS_OF_KILOBYTE // 1024
+    try:
+        return parser.parse(lambda offset, _: source[offset:], progress_callback=lambda *_: next(steps) >= most)
+    except ValueError:
+        parser.reset()  # else it would go on where it stopped
+        return None
+
+
 class Root(Node):
     """The node of a whole file; ``errors`` are the parts of it that are not understood: the line of each, and its text."""
 
@@ -169,14 +184,19 @@ class Root(Node):
 
 
 def parse(source: bytes) -> Root:
-    """The tree of a file. What is nested too deeply, or more than there is room for, is left out.
+    """The tree of a file.
+
+    What is nested too deeply, or more than there is room for, is left out; all of it, where the parser takes too many steps.
 
     Raises:
         UsageError: tree-sitter is not installed.
     """
     source = _readable(source)
-    tree = _parser().parse(source)
+    tree = _tree(source)
     root = Root(source)
+    if tree is None:
+        root.errors.append((1, root.text))
+        return root
     _note_errors(tree, root)
     _convert(tree.walk(), root, 0)
     return root
@@ -205,7 +225,7 @@ def _note_errors(tree: Tree, root: Root) -> None:
 def parse_expression(text: str) -> Node | None:
     """The tree of one expression, as the value of a macro."""
     source = b"auto x = " + text.encode("utf-8", "replace") + b";"
-    root = _converted(_parser().parse(source), source)
+    root = _converted(source)
     declaration = root.child("declaration")
     declarator = declaration.fields.get("declarator") if declaration else None
     return declarator.fields.get("value") if declarator else None
@@ -215,14 +235,15 @@ def parse_expression(text: str) -> Node | None:
 def parse_statements(text: str) -> Node | None:
     """The tree of some statements, as the value of a macro."""
     source = b"void f() { " + text.encode("utf-8", "replace") + b"; }"
-    root = _converted(_parser().parse(source), source)
+    root = _converted(source)
     function = root.child("function_definition")
     return function.fields.get("body") if function else None
 
 
-def _converted(tree: Tree, source: bytes) -> Node:
-    root = Node("translation_unit", source, 0, len(source))
-    _convert(tree.walk(), root, 0)
+def _converted(source: bytes) -> Node:
+    root, tree = Node("translation_unit", source, 0, len(source)), _tree(source)
+    if tree is not None:
+        _convert(tree.walk(), root, 0)
     return root
 
 

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 SETUP_CFG = "setup.cfg"
 
 _ENTRY = late(r"\s*([^=\s\[#;](?:[^=]*[^=\s])?)\s*=\s*([\w.]+)\s*(?::\s*([\w.]+)\s*)?(?:\[.*\]\s*)?")
+_MOST_LINES = 5_000
+"""A longer file is not read: the parser tells the mistakes of all lines in one text, which it writes anew for each."""
 _BASES = ("$base/", "$platbase/", "$prefix/", "$userbase/")
 
 
@@ -49,6 +51,8 @@ def read_setup_cfg(path: str) -> SetupCfg | None:
     if not is_file(path):
         return SetupCfg("bin", (), False)
     data = content(path)
+    if data is not None and data.count(b"\n") > _MOST_LINES:
+        return None
     parser = ConfigParser(interpolation=None, strict=False)
     parser.optionxform = str  # type: ignore[method-assign, assignment]
     try:

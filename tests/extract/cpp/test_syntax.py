@@ -44,3 +44,15 @@ def test_members_that_say_what_guards_them(tmp_path: Path) -> None:
     )
     assert [spelled(fact) for fact in facts] == ["subscribers in std_msgs/Bool 3 queue=1"]
     assert doubts == ()
+
+
+def test_what_the_parser_goes_back_and_forth_in_is_not_read() -> None:
+    """Parts that it cannot read take it time by their square; what comes after it in another file is read as ever."""
+    mended = b"int main() {}\n"
+    torn = b"void f() { g([this](std_msgs::msg" + b"::String:" * 4_000 + b"){}); }\n"
+    root = syntax.parse(torn)
+    assert root.children == []
+    assert root.errors == [(1, torn.decode())]
+    assert [each.kind for each in syntax.parse(mended).children] == ["function_definition"]
+    assert syntax.parse(mended * 4_000).errors == []
+    assert syntax.parse_expression("a" + "::String:" * 4_000) is None
