@@ -9,6 +9,7 @@ import posixpath
 from collections.abc import Sequence
 
 from launchlint.model import Executable
+from launchlint.words import split_words
 
 _QUIET = frozenset(
     (
@@ -44,7 +45,7 @@ def may_talk(program: Executable) -> bool:
     if not words:
         return True
     called = posixpath.basename(words[0])
-    return called not in _QUIET and (called != "ros2" or words[1:2] == [] or words[1] not in _ASKING)
+    return called not in _QUIET and (called != "ros2" or _ASKING.isdisjoint(words[1:2]))
 
 
 def spelled(program: Executable) -> str:
@@ -56,10 +57,8 @@ def spelled(program: Executable) -> str:
 
 def _words(command: Sequence[str]) -> list[str]:
     """The words of a command; one that is left to a shell stands in one text."""
-    from shlex import split  # most launches start nothing but nodes
-
     text = " ".join(command)
     try:
-        return split(text)
+        return split_words(text)
     except ValueError:
         return text.split()
