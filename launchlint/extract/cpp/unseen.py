@@ -25,6 +25,8 @@ _MOST_SLOTS = 200
 _MOST_OBJECTS = 20
 _SLOT = re.compile(r"on_\w{1,200}_\w{1,200}")
 _OF_QT = re.compile(r"Q[A-Z]\w*")
+_GIVEN = re.compile(r"<[^<>;(){}]*>")
+_WORD = re.compile(r"\w+")
 _UNNAMED = re.compile(r"~|operator\W")
 
 Taken = TypeVar("Taken", Callable, Closure)
@@ -121,7 +123,7 @@ class Unseen:
         With each the first function that gives it. Only classes with a base from elsewhere: who has that calls what overrides it.
         """
         names, declarations = self.machine.names, self.machine.declarations
-        bodies = [each for functions in declarations.functions.values() for each in functions if each.body is not None]
+        givers: dict[str, Function] | None = None
         made = {name for declared in self.made for name in (declared.name, *(each.name for each in names.bases(declared.name)))}
         for declared in list(declarations.classes.values()):
             if declared.name in made or declared.template or not self.foreign_base(declared):
@@ -129,10 +131,21 @@ class Unseen:
             members = (each for _, functions in declarations.members(declared.name) for each in functions if each.body is not None)
             if not any(each not in self.visited and self.tells(each) for each in members):
                 continue
-            given = re.compile(rf"<[^<>;(){{}}]*\b{re.escape(declared.name.rpartition('::')[2])}\b[^<>;(){{}}]*>")
-            giver = next((each for each in bodies if each.body is not None and given.search(each.body.text)), None)
+            if givers is None:
+                givers = self._givers()
+            giver = givers.get(declared.name.rpartition("::")[2])
             if giver is not None:
                 yield declared, giver
+
+    def _givers(self) -> dict[str, Function]:
+        """The first function that gives a word to a template, by the word."""
+        found: dict[str, Function] = {}
+        for functions in self.machine.declarations.functions.values():
+            for each in functions:
+                for given in () if each.body is None else _GIVEN.findall(each.body.text):
+                    for word in _WORD.findall(given):
+                        found.setdefault(word, each)
+        return found
 
     def _make(self, declared: Class) -> None:
         """Make one of the objects that a container makes by itself."""
