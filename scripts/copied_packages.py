@@ -19,6 +19,7 @@ from pathlib import Path
 
 from launchlint.workspace.copied_packages import mark
 from launchlint.workspace.manifest import read_manifest
+from launchlint.workspace.public_packages import PublicPackages
 
 OUTPUT = Path(__file__).resolve().parent.parent / "launchlint" / "workspace" / "copied_packages.txt"
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
@@ -44,13 +45,6 @@ def packages(directory: Path) -> Iterator[tuple[str, Key]]:
             yield owner, (manifest.name, manifest.people)
 
 
-def listed(path: Path) -> dict[str, set[str]]:
-    """What stands in the list: the marks of each name."""
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    rows = (each.split("\t") for each in lines if not each.startswith("#"))
-    return {name: set(marks.split()) for name, marks in rows}
-
-
 def main() -> int:
     """Write the list."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
@@ -66,7 +60,8 @@ def main() -> int:
             if directory in options.project:
                 taken.add(key)
     taken |= {key for key, several in owners.items() if len(several) >= SEVERAL}
-    marks = listed(options.output)
+    known = PublicPackages(str(options.output)).items() if options.output.exists() else ()
+    marks = {name: set(each) for name, each in known}
     for name, people in taken:
         marks.setdefault(name, set()).add(mark(name, people))
     lines = [

@@ -179,22 +179,11 @@ class _Reader:
             self._unknown("foreach with a variable that is not known")
             return
         turns = zipped(self.scope, arguments)
-        if turns is not None:
-            self._zipped(turns, body, depth)
-            return
-        variable = arguments[0]
-        outer = self.scope.variables.get(variable)
-        words = self.scope.expand(opening.arguments, any_way=True)[1:] if None in arguments else arguments[1:]
-        for item in dict.fromkeys([*items(self.scope, words), *items(self.scope, arguments[1:])]):
-            self.steps += 1
-            if self.steps > _MOST_STEPS:
-                break
-            self.scope.assign(variable, [item])
-            self.run(body, depth)
-        self.scope.assign(variable, [outer])
-
-    def _zipped(self, turns: Sequence[dict[str, Value]], body: Sequence[Command], depth: int) -> None:
-        outer = {name: self.scope.variables.get(name) for name in turns[0]}
+        if turns is None:
+            words = self.scope.expand(opening.arguments, any_way=True)[1:] if None in arguments else arguments[1:]
+            found = dict.fromkeys([*items(self.scope, words), *items(self.scope, arguments[1:])])
+            turns = [{arguments[0]: item} for item in found]
+        outer = {name: self.scope.variables.get(name) for name in (turns[0] if turns else arguments[:1]) if name is not None}
         for turn in turns:
             self.steps += 1
             if self.steps > _MOST_STEPS:

@@ -37,9 +37,9 @@ def zipped(scope: Scope, arguments: Sequence[Value]) -> list[dict[str, Value]] |
 
     Of a list that is not known nothing is known in any turn.
     """
-    if "IN" not in arguments or arguments[arguments.index("IN") + 1 : arguments.index("IN") + 2] != [_ZIP]:
+    at = arguments.index("IN") if "IN" in arguments else len(arguments)
+    if arguments[at + 1 : at + 2] != [_ZIP]:
         return None
-    at = arguments.index("IN")
     names, lists = [each or "" for each in arguments[:at]], arguments[at + 2 :]
     if len(names) == 1:
         names = [f"{names[0]}_{number}" for number in range(len(lists))]

@@ -77,7 +77,8 @@ def crawl_all(
     """
     found: list[Crawled] = []
     ignored: list[str] = []
-    ends = frozenset((*way.manifests, *way.ends, *(() if through_ignored else way.ignoring)))
+    others = (*way.ends, *(() if through_ignored else way.ignoring))
+    ends = frozenset((*way.manifests, *others))
     pending = [os.path.abspath(root)]  # depth first, the next directory last
     entrances: dict[tuple[int, int], int] = {}
     visited = 0
@@ -91,7 +92,7 @@ def crawl_all(
             if directory.startswith(SYSTEM_SHARE):  # nothing deeper counts there, and its directories may hold thousands of files
                 markers.update(name for name in way.manifests if os.path.isfile(f"{directory}/{name}"))
                 if markers:
-                    markers.update(name for name in ends if os.path.isfile(f"{directory}/{name}"))
+                    markers.update(name for name in others if os.path.isfile(f"{directory}/{name}"))
                     _note_packages(directory, markers, way, found, held)
                 continue
             with os.scandir(directory) as scan:

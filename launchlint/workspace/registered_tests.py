@@ -24,11 +24,13 @@ _ELSEWHERE = late(r"(?i)\b(?:add_subdirectory|foreach|include)[ \t]*\(|\bGLOB|\*
 
 
 class Registering(NamedTuple):
-    """A ``command`` that registers tests: what stands in its brackets, as it is written, and the ``paths`` in it."""
+    """A ``command`` that registers tests: what stands in its brackets, as it is written, and whether that names a file or a directory
+    above it.
+    """
 
     command: str
     text: str
-    paths: frozenset[str]
+    names_it: bool
 
 
 def why_not_started(directory: str, file: str) -> str | None:
@@ -68,16 +70,19 @@ def is_only_checked(directory: str, file: str) -> bool:
     inside = os.path.relpath(file, directory)
     if inside.endswith(TEST_END) or _TESTS.search(inside) is None or inside.startswith(os.pardir):
         return False
+    return {"rostest" not in each.command.lower() for each in registering(directory, inside) if each.names_it} == {True}
+
+
+def registering(directory: str, inside: str) -> Iterator[Registering]:
+    """The commands of ``CMakeLists.txt`` in ``directory`` (absolute) that have to do with rostest or roslaunch, and which name the file
+    ``inside`` (relative to it).
+    """
     written = (content(os.path.join(directory, CMAKE_FILE)) or b"").decode("utf-8", "replace")
     code = "\n".join(line.partition("#")[0] for line in written.splitlines())
     above = {inside}
     while inside := os.path.dirname(inside):
         above.add(inside)
-    return {"rostest" not in each.command.lower() for each in registering(code) if not above.isdisjoint(each.paths)} == {True}
-
-
-def registering(code: str) -> Iterator[Registering]:
-    """The commands of CMake in ``code`` (without comments) that have to do with rostest or roslaunch."""
     for command, text in _COMMAND.findall(code):
         if "rostest" in command or "roslaunch" in command:
-            yield Registering(command, text, frozenset(word.rstrip("/").removeprefix("./") for word in _WORD.findall(text)))
+            names_it = any(word.rstrip("/").removeprefix("./") in above for word in _WORD.findall(text))
+            yield Registering(command, text, names_it)

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Mapping
 
 from launchlint.late import late
-from launchlint.workspace.looking import Looked, content, is_file, note, walk, watched
+from launchlint.workspace.looking import Looked, is_file, note, walk, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.registered_tests import CMAKE_FILE, TEST_END, registering
@@ -38,19 +38,11 @@ def why_idle(file: str, home: Package, packages: Packages) -> str:
         return ""  # what registers the tests is not here
     if name.endswith(TEST_END) or _TESTS.search(inside) is None or inside.startswith(".."):
         return ""
-    if _is_registered(inside, home.directory) or _is_named(name, absolute, home, packages):
+    # By its name, or with a directory that it is in.
+    registered = any(_SEVERAL in each.text or each.names_it for each in registering(home.directory, inside))
+    if registered or _is_named(name, absolute, home, packages):
         return ""
     return f"nothing of {home.name} starts {inside}, which lies among its tests"
-
-
-def _is_registered(inside: str, directory: str) -> bool:
-    """Whether a command of ``CMakeLists.txt`` starts or checks the file: by its name, or with a directory that it is in."""
-    written = (content(posixpath.join(directory, CMAKE_FILE)) or b"").decode("utf-8", "replace")
-    code = "\n".join(line.partition("#")[0] for line in written.splitlines())
-    above = {inside}
-    while inside := posixpath.dirname(inside):
-        above.add(inside)
-    return any(_SEVERAL in each.text or not above.isdisjoint(each.paths) for each in registering(code))
 
 
 def _is_named(name: str, itself: str, home: Package, packages: Packages) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from functools import lru_cache
 
 from launchlint.late import late
@@ -41,7 +42,7 @@ def relation(left: str, right: str) -> str:
         return TWIN
     *outer, last = left[1:].split("/")
     *other, end = right[1:].split("/")
-    if _are_two_sides(outer, other):
+    if _differ_in_one_of(_SIDES, outer, other):
         return TWIN
     if last == end:
         if _is_within(outer, other) or _is_within(other, outer):
@@ -71,14 +72,13 @@ def _differ_in_a_mark(left: str, right: str) -> bool:
 
 
 def _are_two_directions(left: str, right: str) -> bool:
-    words, others = _SEPARATORS.split(left), _SEPARATORS.split(right)
-    apart = [(word, other) for word, other in zip(words, others, strict=False) if word != other]
-    return len(words) == len(others) and len(apart) == 1 and frozenset(apart[0]) in _DIRECTIONS
+    return _differ_in_one_of(_DIRECTIONS, _SEPARATORS.split(left), _SEPARATORS.split(right))
 
 
-def _are_two_sides(outer: list[str], other: list[str]) -> bool:
-    apart = [frozenset(pair) for pair in zip(outer, other, strict=False) if pair[0] != pair[1]]
-    return len(outer) == len(other) and len(apart) == 1 and apart[0] in _SIDES
+def _differ_in_one_of(pairs: Set[frozenset[str]], parts: list[str], others: list[str]) -> bool:
+    """Whether all that differs is one part, and the two are one of the ``pairs``."""
+    apart = [frozenset(pair) for pair in zip(parts, others, strict=False) if pair[0] != pair[1]]
+    return len(parts) == len(others) and len(apart) == 1 and apart[0] in pairs
 
 
 def _is_slip(left: str, right: str) -> bool:
