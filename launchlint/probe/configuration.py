@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import math
 import os
-import shlex
 from collections.abc import Mapping
 from types import MappingProxyType
 
 from launchlint.named_tuple import NamedTuple
 from launchlint.probe.words import MEANT, is_a, repository_url
+from launchlint.words import split_words
 from launchlint.workspace.yaml_nodes import MAPPING, SCALAR, SEQUENCE, Document, Node, read_document, shown
 
 TYPE_CHECKING = False
@@ -264,7 +264,7 @@ class _Reader:
     def args(self, node: Node) -> str:
         text = self.document.text(node, "args")
         try:
-            words = shlex.split(text)
+            words = split_words(text)
         except ValueError as error:
             self.document.fail(node, f"args cannot be split into words: {str(error).lower()}")
         if "\0" in text or len(text) > LONGEST_TEXT or len(words) > MOST_ITEMS:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Iterable
 
 from launchlint.evaluate.ros2.context import Value
@@ -15,6 +14,7 @@ from launchlint.source import Place
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Text
+from launchlint.words import split_words
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag:
     first = words[0] if words else ""
     if isinstance(prefix, str):
         try:
-            before = shlex.split(prefix)
+            before = split_words(prefix)
             first = before[0] if before else first
         except ValueError:
             at = place if process.prefix is None else process.prefix.place
@@ -147,7 +147,7 @@ def executable(walk: Walk, action: described.Executable) -> None:
 def prefix_words(prefix: Value) -> tuple[str, ...]:
     """The words of a prefix; none where it cannot be split."""
     try:
-        return tuple(shlex.split(text_of(prefix)))
+        return tuple(split_words(text_of(prefix)))
     except ValueError:
         return ()
 

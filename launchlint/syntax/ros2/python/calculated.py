@@ -45,9 +45,10 @@ def call(name: str, positional: list[Value], keywords: Mapping[str, Value]) -> V
         return MISSING
     try:
         words = [plain(each) for each in positional]
-        if any(isinstance(each, str) and len(each) > _LONGEST for each in words):
+        named = {key: plain(value) for key, value in keywords.items()}
+        if any(isinstance(each, str) and len(each) > _LONGEST for each in (*words, *named.values())):
             return MISSING
-        return value_of(function(*words, **{key: plain(value) for key, value in keywords.items()}))
+        return value_of(function(*words, **named))
     except NotPlain:
         return MISSING
     except (ArithmeticError, TypeError, ValueError) as error:
