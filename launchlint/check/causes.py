@@ -40,7 +40,7 @@ def told_with_theirs(findings: Iterable[Finding]) -> tuple[Told, ...]:
     """``findings`` in report order; one for all of one :attr:`Finding.cause`, with the places of the others. Each stands in one of them.
 
     Mistakes of which a rule says the very same in one file are one, too: people make them in one go. So are those of which it says the same
-    where the same is written: one was copied.
+    where the same is written: one was copied. So are those of files that were copied from each other under another number or side.
     """
     result: list[Told] = []
     alike: dict[str | tuple[str, ...], list[Finding]] = {}
@@ -52,7 +52,12 @@ def told_with_theirs(findings: Iterable[Finding]) -> tuple[Told, ...]:
         alike.setdefault(cause, []).append(finding)
     if not alike:
         return tuple(result)
-    told = [Told(_told(group) if len(group) > 1 else group[0], tuple(group)) for group in _with_copies(alike.values())]
+    groups = _with_copies(alike.values())
+    if len(groups) > 1:
+        from launchlint.check.siblings import with_siblings
+
+        groups = with_siblings(groups, _knows_copies)
+    told = [Told(_told(group) if len(group) > 1 else group[0], tuple(group)) for group in groups]
     return tuple(sorted([*result, *_of_copies(told)], key=lambda each: total(each.finding)))
 
 
@@ -84,9 +89,14 @@ def _of_copies(told: Iterable[Told]) -> Iterator[Told]:
     for each in told:
         by_rule.setdefault(each.finding.rule, []).append(each)
     for name, several in by_rule.items():
-        rule = find(name) if len(several) > 1 else None
-        copies: Callable[[Sequence[Finding]], Iterable[Finding]] | None = None if rule is None else getattr(rule.load(), "of_copies", None)
+        copies = _knows_copies(name) if len(several) > 1 else None
         yield from several if copies is None else _standing_for(list(copies([each.finding for each in several])), several)
+
+
+def _knows_copies(name: str) -> Callable[[Sequence[Finding]], Iterable[Finding]] | None:
+    """How the rule ``name`` joins its findings about copies itself, where it does."""
+    rule = find(name)
+    return None if rule is None else getattr(rule.load(), "of_copies", None)
 
 
 def _standing_for(findings: Sequence[Finding], told: Sequence[Told]) -> Iterator[Told]:

@@ -61,3 +61,42 @@ def test_each_finding_stands_in_one_that_is_told() -> None:
     told = told_with_theirs([*homes, _finding(9), _finding(8, severity=Severity.INFO)])
     assert [sorted(each.location.line for each in one.of) for one in told] == [[1, 2, 3], [4], [8], [9]]
     assert [one.finding for one in told] == list(told_once([*homes, _finding(9), _finding(8, severity=Severity.INFO)]))
+
+
+def _at(path: str, line: int, message: str, text: str, rule: str = "LL901") -> Finding:
+    finding = _finding(line, rule=rule)
+    return finding._replace(location=finding.location._replace(path=path, text=text), message=message)
+
+
+def test_files_under_another_number_or_side_are_one() -> None:
+    """What one of them shows several of is paired, and not joined."""
+    numbered = [
+        _at(f"config/robot{robot}.yaml", line, f"/robot{robot}/sensor{line} is nobody", f"/robot{robot}/sensor{line}:")
+        for robot in (1, 2)
+        for line in (1, 2)
+    ]
+    sides = [_at(f"config/{side}.yaml", 1, f"/{side}/arm is nobody", f"/{side}/arm:") for side in ("left", "right")]
+    other = _at("config/robot3.yaml", 1, "/robot3/camera1 is nobody", "/robot3/camera1:")
+    told = told_with_theirs([*numbered, *sides, other])
+    assert [{each.location.path for each in one.of} for one in told] == [
+        {"config/left.yaml", "config/right.yaml"},
+        {"config/robot1.yaml", "config/robot2.yaml"},
+        {"config/robot1.yaml", "config/robot2.yaml"},
+        {"config/robot3.yaml"},
+    ]
+    assert told[0].finding.message == "/left/arm is nobody (and at 1 more place)"
+
+
+def test_packages_of_other_names_are_one_where_a_long_line_was_copied() -> None:
+    def of(package: str, text: str) -> Finding:
+        return _at(f"{package}_config/launch/demo.launch", 3, f"{package}_config/launch/demo.launch does not exist", text)
+
+    long = [of(name, f'<include file="$(find {name}_config)/launch/demo.launch"/>') for name in ("ant", "bee")]
+    short = [of(name, f'<include file="{name}"/>') for name in ("ant", "bee")]
+    assert len(told_once(long)) == 1
+    assert told_once(short) == tuple(short)
+
+
+def test_a_rule_that_knows_copies_joins_them_itself() -> None:
+    several = [_at(f"robot{number}/package.xml", 1, f"robot{number} lacks rviz", "<package>", rule="LL701") for number in (1, 2)]
+    assert [each.message for each in told_once(several)] != ["robot1 lacks rviz (and at 1 more place)"]
