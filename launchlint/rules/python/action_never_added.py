@@ -3,7 +3,7 @@
 What it does: it looks for variables of a function that hold a `Node`, an include, an arg or another action of launch, and that nothing in
 the function reads. Where a comment names the variable, as when the line that adds the action has been taken out, it is an information, and
 so it is where more actions of the function are commented out, or left out like this, than are added. The same action, left out in several
-launch files, is one finding.
+launch files, is one finding. What would stop launch when it executes the action, as a condition that is none (LL923), is shown with it.
 
 ## Why it matters
 
@@ -67,6 +67,7 @@ def tell(problem: NeverAdded, view: object) -> Iterator[Finding]:
         f"{problem.name} is made and never added: {_COMES_TO.get(problem.callee, 'launch never executes it')}",
         severity=Severity.INFO if why else Severity.WARNING,
         label=f"this {problem.callee} is given to nobody",
+        related=problem.related,
         cause=f"{bool(why)} {problem.name if problem.commented else problem.together}",
         notes=(why,) if why else (),
         help=f"add {problem.name} to the LaunchDescription, or take it out",

@@ -209,11 +209,12 @@ class NeverAdded(Problem):
     """An action, made by ``callee``, that the variable ``name`` holds, and that nothing looks at. ``commented``: a comment names it.
 
     ``chosen``: of the actions of the function more are commented out, or left out like this one, than added. ``together`` are all that
-    the function leaves out, in words: the same in copies of it.
+    the function leaves out, in words: the same in copies of it. ``call`` is where it is made, ``related`` what would stop launch there.
     """
 
     callee: str
     name: str
     commented: bool
     chosen: bool
+    call: Place
     together: str = ""

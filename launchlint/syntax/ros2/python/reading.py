@@ -24,7 +24,7 @@ from launchlint.syntax.ros2.python.making import Maker
 from launchlint.syntax.ros2.python.performed import performed_as_boolean
 from launchlint.syntax.ros2.python.recogniser import Outside
 from launchlint.syntax.ros2.python.running import Caller, Ending
-from launchlint.syntax.ros2.python.unused import never_added
+from launchlint.syntax.ros2.python.unused import never_added, of_what_is_executed
 from launchlint.syntax.ros2.python.workspace_modules import WorkspaceModules
 from launchlint.syntax.ros2.reading import Reading
 from launchlint.syntax.ros2.unresolved import unresolved
@@ -75,7 +75,7 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
         )
     except (Exhausted, RecursionError, SourceError):
         actions = (described.Open("it is too much to be followed", everything),)
-    return _reading(source, actions, tuple(run.problems))
+    return _reading(source, actions, of_what_is_executed(run.problems))
 
 
 def _reading(source: Source, actions: tuple[Action, ...], problems: tuple[Problem, ...]) -> Reading:
