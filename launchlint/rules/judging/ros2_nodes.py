@@ -8,6 +8,7 @@ from launchlint.evaluate.problems import DuplicateNode
 from launchlint.evaluate.ros2.problems import DefaultOverruled
 from launchlint.finding import Finding, Severity
 from launchlint.model import Node
+from launchlint.rules.judging.included_twice import ways
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.rules.wording import words_at
@@ -41,7 +42,7 @@ def one_name(problem: DuplicateNode, rule: Rule, view: LaunchView) -> Iterator[F
         cause=f"{[place.key for node in (first, second) for place in node.origin.chain]} {second.origin.place.source.path}"
         if second.origin.chain or first.origin.chain
         else name,
-        about=() if twice else (name,),
+        about=(name, *(ways(first, second) if twice else ())),
     )
 
 

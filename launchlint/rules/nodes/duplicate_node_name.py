@@ -4,9 +4,9 @@ What it does: it compares the full names of all nodes that would start together,
 worked out and with the conditions as they are. Nodes that exclude each other by `if` and `unless` are no duplicates. `/rosout`
 belongs to roscore, whose own file `roscore.xml` may start it. Where the names meet only when an arg has another value than its default
 and no launch file here gives it that one, it is a warning; an info, if another arg can switch off one of the two: nodes behind switches of
-their own (`if="$(arg real)"`, `if="$(arg simulation)"`) are alternatives. What two includes of one file, or one such value, bring about is
-told once, and so is a node of a file whose name several of those that include it use again, and a block of nodes that stands twice. In
-ROS 2 it is a warning: launch itself warns, and starts them all.
+their own (`if="$(arg real)"`, `if="$(arg simulation)"`) are alternatives. What two includes of one file, one include of several files that
+others include, too, or one such value bring about is told once, and so is a node of a file whose name several of those that include it use
+again, and a block of nodes that stands twice. In ROS 2 it is a warning: launch itself warns, and starts them all.
 
 ## Why it matters
 
@@ -52,13 +52,14 @@ behind the name of the second: `camera_2`. Other launch files and nodes may know
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.evaluate.problems import DuplicateNode
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_element, set_value, spot
+from launchlint.rules.judging.included_twice import told_of_includes, ways
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Place
@@ -105,7 +106,7 @@ def tell(problem: DuplicateNode, view: LaunchView) -> Iterator[Finding]:
         related=related,
         notes=notes,
         cause=_cause(first, second, tried, view),
-        about=() if twice else (name,),
+        about=(name, *(ways(first, second) if twice else ())),
         help="let one arg choose between the two, with if and unless"
         if switches
         else _removed(first, second)[1]
@@ -113,6 +114,11 @@ def tell(problem: DuplicateNode, view: LaunchView) -> Iterator[Finding]:
         else _advice(first, second, twice),
         fix=None if twice or switches else _removal(first, second, view) if equal else _fix(problem, view),
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for all files that one include brings once more."""
+    return told_of_includes(findings)
 
 
 def _own_switches(first: Node, second: Node, view: LaunchView) -> list[str]:
