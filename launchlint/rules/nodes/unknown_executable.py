@@ -5,7 +5,8 @@ builds, its scripts, and its installed files. It is an error where the package i
 it; otherwise a warning. Where the package is not here, the library is asked: a name that is one slip away from a program that it knows is
 an error where the library lists all programs of the package, else a warning. Where the list of programs may have gaps, as with packages
 below `/usr`, whose programs Debian distributes over several packages of its own, nothing is said but such a warning. Each program is told
-of once, with all places that start it. A package without any programs is told of once, with all that is asked of it. It is an info where
+of once, with all places that start it. A package without any programs is told of once, with all that is asked of it,
+and so is one whose programs have an end like `.py` that the launch files leave out, or the other way round. It is an info where
 an arg with an empty default makes the name: whoever starts the file gives it. Where another package of the workspace has a program of just
 that name, the help names it; a program or script (with the executable bit or without) of the same name but for blanks, `_`, `-` or a
 `_test` or `_node` at the end comes first. Where the command that would build the program is commented out in `CMakeLists.txt`, a note says
@@ -80,6 +81,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import ROS2, Node
+from launchlint.plural import listed
 from launchlint.rules.edits import fix, is_literal, set_value, spot
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
@@ -99,6 +101,7 @@ _MOST_NAMED = 6
 _MOST_PACKAGES = 3
 _NONE = "none at all"
 _CORRECT = "correct the name, or let"
+_WITH, _WITHOUT = "with", "without"
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb")
 
 
@@ -144,8 +147,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             notes.append(f"the arg {left_empty} has an empty default: whoever starts this file gives it")
         severity = Severity.INFO if left_empty else Severity.ERROR if certain else Severity.WARNING
         others = contents(view.packages).having(name)
-        left_out = next((end for end in _SCRIPT_ENDS if near == f"{name}{end}"), "")
-        reason = f"without {left_out}" if left_out else name if near and known.names else f"in {' '.join(others)}" if others else _NONE
+        reason = _end(name, near) or (name if near and known.names else f"in {' '.join(others)}" if others else _NONE)
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {name}",
@@ -169,12 +171,19 @@ def together(findings: Sequence[Finding]) -> Finding:
     """All that is asked of a package and that it does not have, by the names."""
     whole = joined(findings)
     names = list(dict.fromkeys(each.topic for each in findings))
-    if len(names) < 2 or not whole.cause.endswith(_NONE):
+    package, _, reason = whole.cause.partition("/")
+    package = package.rpartition(" ")[2]
+    way, _, end = reason.partition(" ")
+    if len(names) < 2 or (reason != _NONE and way not in (_WITH, _WITHOUT)):
         return whole
-    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-    package = whole.cause.removesuffix(f"/{_NONE}").rpartition(" ")[2]
+    if way in (_WITH, _WITHOUT):
+        stems = [name.removesuffix(end) if way == _WITHOUT else name for name in names]
+        return whole._replace(
+            message=f"the package {package} has {len(names)} executables only {reason}: {listed(stems, _MOST_NAMED)}",
+            help=f"write the names {reason}",
+        )
     return whole._replace(
-        message=f"the package {package} has none of {len(names)} executables: {', '.join(names[:_MOST_NAMED])}{more}",
+        message=f"the package {package} has none of {len(names)} executables: {listed(names, _MOST_NAMED)}",
         help=f"{whole.help.rpartition(' ')[0].replace('name', 'names', 1)} them"
         if whole.help.startswith(_CORRECT)
         else f"let the CMakeLists.txt of {package} build them, or correct the package",
@@ -206,7 +215,7 @@ def _in_ros2(view: GraphView) -> Iterator[Finding]:
         some = _some(names)
         severity = Severity.WARNING if any(condition.assumed for condition in node.conditions) else RULE.severity
         others = installs(view.packages).having(node.executable)
-        reason = node.executable if near else f"in {' '.join(others)}" if others else _NONE
+        reason = _end(node.executable, near) or (node.executable if near else f"in {' '.join(others)}" if others else _NONE)
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {node.executable}",
@@ -227,6 +236,16 @@ def _in_ros2(view: GraphView) -> Iterator[Finding]:
             topic=node.executable,
             fix=None if slip is None or near != slip else _fix(node, view, slip),
         )
+
+
+def _end(name: str, near: str | None) -> str:
+    """How the program is called, ``with .py`` or ``without .py``, where nothing but the end of a script tells the two names apart."""
+    for end in _SCRIPT_ENDS if near else ():
+        if near == f"{name}{end}":
+            return f"{_WITH} {end}"
+        if name == f"{near}{end}":
+            return f"{_WITHOUT} {end}"
+    return ""
 
 
 def _help(node: Node, slip: str | None, near: str | None, others: Sequence[str], otherwise: str) -> str:
