@@ -5,7 +5,7 @@ What it does: for each node whose package lies in the workspace, it works out wh
 `bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
 files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out. What no part of the package
 is called is told by LL304. All scripts of a `setup.py` that go to another directory are one finding, and so are those of all packages of a
-workspace whose `setup.py` sends them to the same one.
+workspace whose `setup.py` sends them to the same one, and what a package that installs no programs lacks of one kind.
 
 ## Why it matters
 
@@ -90,6 +90,8 @@ from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 
 _MOST_NAMED = 3
+_MOST_WRITTEN = 20
+_ENTRY_POINTS = "console_scripts"
 RULE = Rule("LL946", "not-in-libexec", Severity.ERROR, roslaunch="refuses")
 
 
@@ -114,24 +116,38 @@ def check(view: LaunchView) -> Iterator[Finding]:
             ),
             help=_help(missing),
             cause=f"{severity.word} {_cause(missing)}",
-            about=(package.name, missing.built or ""),
+            about=(package.name, missing.built or "", node.executable, *_added(missing)),
         )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """One for packages that all lack the same lines of ``setup.cfg``: it names them."""
+    """One for packages that all lack the same lines of ``setup.cfg``: it names them. One for what a package lacks that installs nothing."""
     packages = list(dict.fromkeys(each.about[0] for each in findings))
-    if len(packages) < 2:
-        return joined(findings)
     first = spokesman(findings)
-    message = f"{len(packages)} packages install their programs to {first.about[1]}, and not to lib/PKG: {listed(packages, _MOST_NAMED)}"
-    return joined(findings, first._replace(message=message, help=f"{first.help}, and the same in the others"))
+    if len(packages) > 1:
+        message = (
+            f"{len(packages)} packages install their programs to {first.about[1]}, and not to lib/PKG: {listed(packages, _MOST_NAMED)}"
+        )
+        return joined(findings, first._replace(message=message, help=f"{first.help}, and the same in the others"))
+    programs = list(dict.fromkeys(each.about[2] for each in findings))
+    told = joined(findings)
+    if len(programs) < 2 or not first.about[3:]:
+        return told
+    return told._replace(
+        message=f"{len(programs)} programs are not in lib/{packages[0]}, to which nothing is installed: {listed(programs, _MOST_NAMED)}",
+        help=_add(first.about[3], list(dict.fromkeys(each.about[4] for each in findings))),
+    )
 
 
 def _cause(missing: Missing) -> str:
-    """``setup.cfg`` says of all scripts at once where they are installed; who leaves it out of one package knows of no other."""
+    """``setup.cfg`` says of all scripts at once where they are installed; who leaves it out of one package knows of no other. Of a package
+    that installs no programs one line is missing, for all of a kind.
+    """
     if missing.built and build_file(missing.package) == "setup.py":
         return f"setup.py {missing.built}"
+    kind = next(iter(_added(missing)), "")
+    if kind and not missing.built and not missing.installed.libexec:
+        return f"{missing.package.name} installs no {kind}"
     return f"{missing.package.name}/{missing.node.executable}"
 
 
@@ -144,17 +160,31 @@ def _where(missing: Missing) -> str:
     return f"{posixpath.relpath(missing.file, missing.package.directory)} is not installed"
 
 
-def _help(missing: Missing) -> str:
+def _added(missing: Missing) -> tuple[str, ...]:
+    """What is to be added for the program, and to which list; empty where that would not help."""
     name = missing.node.executable
+    if build_file(missing.package) == "setup.py":
+        return (_ENTRY_POINTS, name) if missing.built is None else ()
+    if missing.built is not None:
+        return ("TARGETS", name)
+    assert missing.file is not None
+    return ("PROGRAMS", posixpath.relpath(missing.file, missing.package.directory))
+
+
+def _add(kind: str, what: Sequence[str]) -> str:
+    """The advice to add ``what``, of a kind that :func:`_added` gives."""
+    if kind == _ENTRY_POINTS:
+        return f"add {listed(what, _MOST_WRITTEN)} to {kind} in setup.py"
+    written = " ".join([*what[:_MOST_WRITTEN], *(["…"] if len(what) > _MOST_WRITTEN else [])])
+    return f"add install({kind} {written} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt"
+
+
+def _help(missing: Missing) -> str:
     made = [each.name for each in missing.installed.libexec.values() if missing.file in each.sources]
     if len(made) == 1:
         return f"write {made[0]}, which {build_file(missing.package)} makes of {posixpath.basename(missing.file or '')}"
-    if build_file(missing.package) == "setup.py":
-        if missing.built is not None:
-            return f"write install_scripts=$base/lib/{missing.package.name} below [install] in setup.cfg, and script_dir below [develop]"
-        return f"add {name} to console_scripts in setup.py"
-    if missing.built is not None:
-        return f"add install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt"
-    assert missing.file is not None
-    path = posixpath.relpath(missing.file, missing.package.directory)
-    return f"add install(PROGRAMS {path} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt"
+    added = _added(missing)
+    if not added:
+        return f"write install_scripts=$base/lib/{missing.package.name} below [install] in setup.cfg, and script_dir below [develop]"
+    kind, what = added
+    return _add(kind, [what])
