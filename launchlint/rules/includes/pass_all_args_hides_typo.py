@@ -2,7 +2,7 @@
 
 What it does: with `pass_all_args="true"` roslaunch no longer checks the args of an include. It speaks where an explicit `<arg>`
 is neither declared nor mentioned in the included file and all that it includes. What is given one included file for nothing
-is told once, but for each arg that is nearly one that it takes.
+is told once, but for each arg that is nearly one that it takes, and so is what one file gives several.
 
 ## Why it matters
 
@@ -60,14 +60,13 @@ from launchlint.evaluate.problems import PassAllHidesTypo
 from launchlint.finding import Finding, Severity
 from launchlint.model import Include
 from launchlint.rules.edits import passed_under
-from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.passed_for_nothing import about, of_one_file, of_several_files, said
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 from launchlint.spelling import closest
 
 RULE = Rule("LL405", "pass-all-args-hides-typo", Severity.WARNING, fixable="unsafe")
-_MOST_NAMED = 6
 
 
 def tell(problem: PassAllHidesTypo, view: LaunchView) -> Iterator[Finding]:
@@ -85,27 +84,24 @@ def tell(problem: PassAllHidesTypo, view: LaunchView) -> Iterator[Finding]:
     near = closest(name, known)
     yield RULE.at(
         problem.origin,
-        f"nothing in {file} knows the arg {name}",
+        said([file], [name]),
         label="passed for nothing",
         notes=("pass_all_args turns off roslaunch's check of the args that are passed",),
         help=f"did you mean {near}?" if near is not None else "remove it, or declare it there",
         fix=passed_under(view, problem.place, name, near),
         cause=file if near is None else f"{file} {name}",
-        about=(file, name),
+        about=about(name, file, near),
     )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """All that is passed to one file for nothing, by the names of the args."""
-    told = joined(findings)
-    names = list(dict.fromkeys(each.about[1] for each in findings))
-    if len(names) < 2:
-        return told
-    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-    return told._replace(
-        message=f"nothing in {findings[0].about[0]} knows the args {', '.join(names[:_MOST_NAMED])}{more}",
-        help="remove them, or declare them there",
-    )
+    return of_one_file(findings)
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for what one file passes to several for nothing."""
+    return of_several_files(findings)
 
 
 def _include_around(origin: Origin, view: LaunchView) -> Include | None:
