@@ -5,7 +5,7 @@ What it does: for each node whose package lies in the workspace, it works out wh
 `bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
 files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out. What no part of the package
 is called is told by LL304. All scripts of a `setup.py` that go to another directory are one finding, and so are those of all packages of a
-workspace whose `setup.py` sends them to the same one, and what a package that installs no programs lacks of one kind.
+workspace whose `setup.py` sends them to the same one, and all programs of a package that installs none.
 
 ## Why it matters
 
@@ -92,6 +92,7 @@ from launchlint.source import Origin
 _MOST_NAMED = 3
 _MOST_WRITTEN = 20
 _ENTRY_POINTS = "console_scripts"
+_NONE = "none at all"
 RULE = Rule("LL946", "not-in-libexec", Severity.ERROR, roslaunch="refuses")
 
 
@@ -131,23 +132,27 @@ def together(findings: Sequence[Finding]) -> Finding:
         return joined(findings, first._replace(message=message, help=f"{first.help}, and the same in the others"))
     programs = list(dict.fromkeys(each.about[2] for each in findings))
     told = joined(findings)
-    if len(programs) < 2 or not first.about[3:]:
+    if len(programs) < 2 or not first.cause.endswith(_NONE):
         return told
+    kinds: dict[str, dict[str, None]] = {}
+    for each in findings:
+        for kind, what in zip(each.about[3::2], each.about[4::2], strict=True):
+            kinds.setdefault(kind, {})[what] = None
     return told._replace(
-        message=f"{len(programs)} programs are not in lib/{packages[0]}, to which nothing is installed: {listed(programs, _MOST_NAMED)}",
-        help=_add(first.about[3], list(dict.fromkeys(each.about[4] for each in findings))),
+        message=f"the package {packages[0]} installs none of {len(programs)} programs that are started: {listed(programs, _MOST_NAMED)}",
+        help=", and ".join(_add(kind, list(what)) for kind, what in kinds.items()) or told.help,
     )
 
 
 def _cause(missing: Missing) -> str:
-    """``setup.cfg`` says of all scripts at once where they are installed; who leaves it out of one package knows of no other. Of a package
-    that installs no programs one line is missing, for all of a kind.
+    """``setup.cfg`` says of all scripts at once where they are installed; who leaves it out of one package knows of no other.
+
+    Who installs no program has not thought of it: that is one slip, however many programs are started.
     """
     if missing.built and build_file(missing.package) == "setup.py":
         return f"setup.py {missing.built}"
-    kind = next(iter(_added(missing)), "")
-    if kind and not missing.built and not missing.installed.libexec:
-        return f"{missing.package.name} installs no {kind}"
+    if not missing.built and not missing.installed.libexec:
+        return f"{missing.package.name}/{_NONE}"
     return f"{missing.package.name}/{missing.node.executable}"
 
 
