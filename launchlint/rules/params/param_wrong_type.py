@@ -3,10 +3,10 @@
 What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number for
 a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a list or
 a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as one, also
-where the file was copied, and so is the same value of the same param in several files, or all numbers that params of one program round. An
-empty text is an info: it is a way to say that the param is not set. So is a value that says the same as the default that the node falls
-back to: `1e-3`, a text for YAML, where the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and 0 for a bool of
-which no default is known.
+where the file was copied, and so is the same value of the same param in several files, or all numbers that params of one program round, or
+what one file gives to a param of several nodes of one program, each time a value of the same wrong type. An empty text is an info: it is a
+way to say that the param is not set. So is a value that says the same as the default that the node falls back to: `1e-3`, a text for YAML,
+where the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and 0 for a bool of which no default is known.
 
 In ROS 2 a node takes no other type than the one it declares a param with: that is an error, and so is a value beyond the range that it
 declares, or none of those that it allows. An integer for a double is told by LL906. A placeholder that a tool replaces, `__RATE__`, is an
@@ -41,13 +41,14 @@ of ROS 2 dies when it declares the param.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import ceil, floor, isclose, pi, prod
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.late import late
 from launchlint.model import ROS2, Launch, ParameterSetting
+from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.param_values import is_certain, is_known, shown
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
@@ -66,6 +67,7 @@ _WORDS = {"bool": "a bool", "int": "an int", "double": "a double", "str": "a str
 _CONTAINERS = ("list", "dict")
 _FILLED = "it looks like what a tool replaces before anybody launches the file"
 _ROUNDED = "is rounded"
+_REFUSED = "refused"
 _SWITCHES = ("true", "false")
 _NOTHING = ("", "~", "none", "null", "nil", "off", "no", "n", "disabled", "false", "0")
 _ON = ("on", "yes", "y", "enabled", "true", "1")
@@ -108,7 +110,7 @@ def _refused(view: GraphView) -> Iterator[Finding]:
         name, program = each.instance.name, each.instance.program
         allowed = beyond(each)
         if allowed:
-            said, label, advice = f"{name} takes {allowed} for {each.name}, and is given {shown(each.value)}", "refused", ""
+            said, label, advice = f"{name} takes {allowed} for {each.name}, and is given {shown(each.value)}", _REFUSED, ""
         elif is_refused(each) and not is_integer_for_double(each):
             wanted = WORDS[each.wanted[0].type]
             said, label = f"{name} declares {each.name} as {wanted}, and is given {WORDS[each.type]}", WORDS[each.type]
@@ -126,6 +128,13 @@ def _refused(view: GraphView) -> Iterator[Finding]:
             topic=f"{program} {each.name}",
             cause=f"{each.origin.place.source.path} {_FILLED}" if template else f"{program} {each.name} {shown(each.value)}",
         )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for a param that one file gives to several nodes of a program (two cameras), each time with a value of the same wrong type."""
+    for several in alike(findings, lambda each: each.key if each.label == _REFUSED else (each.location.path, each.topic, each.label)):
+        told = joined(several) if len(several) > 1 else several[0]
+        yield told if len({each.help for each in several}) == 1 else told._replace(help=f"{told.help}, and the others alike")
 
 
 def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:
