@@ -8,6 +8,7 @@ that are looked at closely.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Mapping
 from pyexpat import ExpatError, ParserCreate
 
@@ -26,6 +27,7 @@ MANIFEST_FILE = "manifest.xml"
 # A bound against hostile files.
 _LONGEST_ENTITY = 256
 
+_COMMENT = late(r"<!--(.*?)(?:-->|\Z)", re.DOTALL)
 _ENCODING = late(rb"""^<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
 
 # What each tag stands for (catkin_pkg.package.parse_package_string). A format 1 file with exec_depend, or a format 2 file with
@@ -93,6 +95,11 @@ class Manifest(NamedTuple):
     urls: tuple[tuple[str, str], ...] = ()
     signatures: tuple[str, ...] = ()
     licences: tuple[str, ...] = ()
+
+    @property
+    def comments(self) -> list[str]:
+        """What stands in its comments, in order."""
+        return _COMMENT.findall(self.source.text)
 
     def under(self, context: Mapping[str, str]) -> Manifest:
         """What is left of it where the variables in its conditions (format 3, REP 149) are those of ``context``.

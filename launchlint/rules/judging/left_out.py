@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import posixpath
+import re
+from collections.abc import Iterable
 
 from launchlint.late import late
 from launchlint.rules.judging.kept_projects import kept_whole
@@ -32,6 +34,12 @@ _TRIAL = late(r"(?:^|[/_.-])(?:tests?|debug|examples?|demos?|tryout|bench\w*)(?:
 _LAUNCH_ENDS = (".launch", ".launch.xml", TEST_END)
 _MOST_DIRECTORIES = 100
 _TESTS = late(r"(?:^|/)tests?/")
+_LEFT_OUT = late(
+    r"\b(?:left|leav(?:e|es|ing)|keep|kept) out\b|\b(?:omit(?:s|ted)?|excluded?|optional(?:ly)?)\b"
+    r"|\b(?:not|n't|never)\s+(?:be\s+)?(?:declared?|listed?|includ(?:e|ed)|add(?:ed)?|released|available|required|needed)\b",
+    re.IGNORECASE,
+)
+"""In a comment beside dependencies: that one of them is missing on purpose."""
 
 
 def why_left_out(name: str, document: Document, home: Package, packages: Packages) -> str:
@@ -42,6 +50,8 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
     comments = [line for comment in document.comments for line in install_lines(comment.text)]
     if says_install(name, comments) or says_install(name, packages.told_to_install()):
         return f"people are told to install {name} where they need it, so that it seems to be left out on purpose"
+    if home.manifest is not None and _says_left_out(name, home.manifest.comments):
+        return f"a comment of package.xml says that {name} is left out"
     if name in _base():
         if home.name not in public_names():
             return f"{name} is part of {BASE}, the smallest installation, and {home.name} is none of the released packages"
@@ -82,6 +92,12 @@ def is_trial(file: str, home: Package) -> bool:
         if name.endswith(_LAUNCH_ENDS)
     ]
     return 2 * sum(map(_tries, listed)) <= len(listed)
+
+
+def _says_left_out(name: str, comments: Iterable[str]) -> bool:
+    """Whether one of the comments names the package and says that something is not declared on purpose."""
+    named = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    return any(_LEFT_OUT.search(comment) is not None and named.search(comment) is not None for comment in comments)
 
 
 def _tries(inside: str) -> bool:

@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from launchlint.workspace.public_packages import public_names
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.packages import Packages
 
+_RVIZ = "rviz"
 _MEMBERS: Mapping[str, str] = {
     "common_msgs": "actionlib_msgs diagnostic_msgs geometry_msgs nav_msgs sensor_msgs shape_msgs stereo_msgs"
     " trajectory_msgs visualization_msgs",
@@ -94,10 +97,12 @@ _NEEDED: Mapping[str, str] = {
     "gazebo_plugins": "dynamic_reconfigure gazebo_msgs gazebo_ros image_transport nodelet tf",
     "gazebo_ros": "dynamic_reconfigure gazebo_msgs",
     "gazebo_ros_control": "control_toolbox controller_manager gazebo_ros",
+    "image_proc": "dynamic_reconfigure image_transport nodelet",
     "industrial_core": "industrial_msgs industrial_robot_client industrial_robot_simulator industrial_utils simple_message",
     "industrial_robot_client": "industrial_msgs industrial_utils robot_state_publisher simple_message",
     "industrial_robot_simulator": "industrial_msgs industrial_robot_client",
     "joint_state_publisher_gui": "joint_state_publisher",
+    "librviz_tutorial": "rviz",
     "move_base": "base_local_planner clear_costmap_recovery costmap_2d dynamic_reconfigure navfn rotate_recovery tf2_ros",
     "moveit_ros_benchmarks": "moveit_ros_planning moveit_ros_warehouse",
     "moveit_ros_move_group": "moveit_core moveit_ros_planning",
@@ -106,18 +111,35 @@ _NEEDED: Mapping[str, str] = {
     " moveit_ros_warehouse rviz",
     "moveit_ros_warehouse": "moveit_ros_planning warehouse_ros",
     "moveit_setup_assistant": "moveit_core moveit_ros_planning moveit_ros_visualization",
+    "pcl_ros": "dynamic_reconfigure nodelet nodelet_topic_tools pcl_conversions pcl_msgs rosbag tf",
+    "rgbd_launch": "depth_image_proc image_proc nodelet tf2_ros",
     "rosbag": "topic_tools",
     "roslaunch": "rosclean rosgraph rosgraph_msgs roslib rosmaster rosout rosparam rosunit",
     "rosout": "roscpp rosgraph_msgs",
     "rostest": "roslaunch rospy",
+    "rqt_rviz": "rqt_gui rviz",
+    "rviz_python_tutorial": "rviz",
+    "rviz_satellite": "rviz",
+    "rviz_visual_tools": "rviz",
+    "stereo_image_proc": "dynamic_reconfigure image_proc image_transport nodelet",
     "tf": "message_filters tf2_ros",
+    "velodyne_pointcloud": "nodelet velodyne_msgs",
 }
 """Package → what it needs to run, in every distribution from Indigo to Noetic that has it; only what launch files use."""
 
 
 def members(name: str) -> list[str]:
-    """What ``name`` pulls in, if it is well known."""
-    return f"{_MEMBERS.get(name, '')} {_NEEDED.get(name, '')}".split()
+    """What ``name`` pulls in, if it is well known.
+
+    A public package called as plugins of RViz needs RViz: it is built against it and loaded by nothing else.
+    """
+    needed = f"{_MEMBERS.get(name, '')} {_NEEDED.get(name, '')}".split()
+    return [*needed, _RVIZ] if _RVIZ in name and _is_plugin_of_rviz(name) else needed
+
+
+def _is_plugin_of_rviz(name: str) -> bool:
+    parts = name.split("_")
+    return _RVIZ in parts and not {"plugin", "plugins"}.isdisjoint(parts) and name in public_names()
 
 
 def why_together(one: str, other: str, packages: Packages) -> str:

@@ -2,24 +2,25 @@
 
 What it does: for every launch file it collects the packages of its nodes and tests, and those in `$(find …)`, as far as their names are
 written out, and compares them with the run dependencies (`<exec_depend>`, `<depend>`, `<run_depend>`) in the `package.xml` above it. Test
-dependencies count for tests. What a declared package or metapackage itself declares counts too, as far as it can be seen here, and so does
-what roslaunch itself needs. Names that nobody knows are LL210 and LL303, and a file with placeholders such as `$(find [PACKAGE])` is a
-template that is never launched. A dependency that stands in a comment of the `package.xml` was left out on purpose. Where only files are
-asked of another package of the same kind (`arm_moveit_config`), and the own package has all of them at the same paths, its own name was
-meant. Everything that one `package.xml` lacks is told at once, with the first use of each package; where two lack the same three, as
-those do that were made one after the other, what both lack; where three packages or more lack something, all that they lack.
+dependencies count for tests. What a declared package or metapackage itself declares counts too, as far as it can be seen here or is known
+of much used ones (a plugin of RViz brings RViz along), and so does what roslaunch itself needs. Names that nobody knows are LL210 and
+LL303, and a file with placeholders such as `$(find [PACKAGE])` is a template that is never launched. A dependency that stands in a comment
+of the `package.xml` was left out on purpose. Where only files are asked of another package of the same kind (`arm_moveit_config`), and the
+own package has all of them at the same paths, its own name was meant. Everything that one `package.xml` lacks is told at once, with the
+first use of each package; where two lack the same three, as those do that were made one after the other, what both lack; where three
+packages or more lack something, all that they lack.
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
 other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
 need it by which people try something out (`demo.launch`, `test_arm.launch`, beside more that are called otherwise; not tests that machines
-run), or it is turtlesim, with which ROS is learned;
-and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, a
-simulation and the controllers that nothing else of the package starts, the assistant itself), in a package with its `.setup_assistant`. It
-is one, without a fix, where a comment of the launch file or a README tells people to install the package themselves, where only launch
-files need it that were put aside (in a directory `old`, `deprecated`, `attic` …), where the launch file lies among the tests and nothing
-starts it (no `add_rostest`, no `roslaunch_add_file_check`, no other launch file, no script that calls roslaunch), and where the package is
-a copy of a public one, with its `CHANGELOG.rst` or the `<url>` of its repository, or part of a project with a README and a licence of its
-own, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of
+run), or it is turtlesim, with which ROS is learned; and where only files need it that MoveIt's Setup Assistant writes beside those that
+drive the robot (benchmarks, the warehouse, a simulation and the controllers that nothing else of the package starts, the assistant
+itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells people to
+install the package themselves, where one of the `package.xml` names it and says that it is left out, not listed or optional, where only
+launch files need it that were put aside (in a directory `old`, `deprecated`, `attic` …), where the launch file lies among the tests and
+nothing starts it (no `add_rostest`, no `roslaunch_add_file_check`, no other launch file, no script that calls roslaunch), and where the
+package is a copy of a public one, with its `CHANGELOG.rst` or the `<url>` of its repository, or part of a project with a README and a
+licence of its own, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of
 `install(DIRECTORY …)` leaves out. Of several packages of one name, of which LL703 tells, the first is told of. Beside a `manifest.xml` of
 rosbuild it is the `package.xml` that counts; where there is no other, it is an info: rosbuild installs nothing.
 
@@ -374,10 +375,8 @@ def _line(name: str, format_: int, *, is_test: bool) -> str:
 
 def _is_commented_out(name: str, manifest: Manifest) -> bool:
     """Whether the dependency stands in a comment of the manifest: somebody took it out and meant to."""
-    return any(
-        re.search(rf"depend>\s*{re.escape(name)}\s*<", comment) is not None
-        for comment in re.findall(r"<!--(.*?)(?:-->|\Z)", manifest.source.text, re.DOTALL)
-    )
+    element = re.compile(rf"depend(?:\s[^<>]{{0,200}})?>\s*{re.escape(name)}\s*<|<depend\s+package\s*=\s*[\"']{re.escape(name)}[\"']")
+    return any(element.search(comment) is not None for comment in manifest.comments)
 
 
 def _uses(document: Document) -> dict[str, tuple[Place, str]]:
