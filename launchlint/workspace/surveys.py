@@ -126,7 +126,7 @@ def container_directories(packages: Packages, _: str) -> frozenset[str]:
 
 @question
 def placing_scripts(packages: Packages, word: str) -> tuple[str, ...]:
-    """The shell scripts of the workspaces (absolute) that copy programs to ``lib/PKG`` of the install space and name ``word``."""
+    """The shell scripts of the workspaces (absolute) that copy programs to ``lib/PKG`` of an install or devel space and name ``word``."""
     from launchlint.workspace.placing_scripts import read_placing_scripts
 
     return packages.survey(read_placing_scripts).known.get(word, ())

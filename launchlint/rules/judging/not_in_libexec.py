@@ -46,7 +46,7 @@ def missing_programs(launch: Launch, packages: Packages) -> Iterator[Missing]:
         if package is None:
             continue
         installed = installs(packages).of(package)
-        if installed.lacks_program(name) and not _is_placed(package.name, name, packages):
+        if installed.lacks_program(name) and not is_placed(package.name, name, packages):
             built = installed.elsewhere(name)
             yield Missing(node, package, installed, None if built is None else built.destination, _file(package, name, packages))
 
@@ -57,8 +57,8 @@ def build_file(package: Package) -> str:
     return next((_BUILD_FILES[each] for each in types if each in _BUILD_FILES), "CMakeLists.txt")
 
 
-def _is_placed(package: str, name: str, packages: Packages) -> bool:
-    """Whether a script that copies programs to the install space names both the package and the program."""
+def is_placed(package: str, name: str, packages: Packages) -> bool:
+    """Whether a script that copies programs to the install or devel space names both the package and the program."""
     scripts = packages.answer(placing_scripts, name)
     return bool(scripts) and not set(scripts).isdisjoint(packages.answer(placing_scripts, package))
 

@@ -5,8 +5,9 @@ Programs that CMake builds are passed over, and those that `catkin_install_pytho
 the devel space, which runs the script whatever it lacks. It is an info where the first line is missing, since nothing makes up for that
 elsewhere. It is an info where `install()` gives the script
 the executable bit: it runs from an install space, as whoever wrote that knows, and not from a devel space. So it is where another command
-of `CMakeLists.txt` names the script, as with `execute_process(COMMAND chmod +x …)`. All scripts that lack the same are told of
-together, over all packages: the executable bit mostly gets lost for many at once.
+of `CMakeLists.txt` names the script, as with `execute_process(COMMAND chmod +x …)`, and where a shell script or Makefile of the workspace
+that copies programs to `devel/lib/` or `install/lib/` names it. All scripts that lack the same are told of together, over all packages: the
+executable bit mostly gets lost for many at once.
 
 ## Why it matters
 
@@ -109,11 +110,16 @@ def check(view: LaunchView) -> Iterator[Finding]:
             notes.append("roslaunch looks only at files with the executable bit")
         made = contents(view.packages).made(package).by(flaw.path)
         installed = not flaw.lacks_shebang and contents(view.packages).installs(package).makes_runnable(flaw.path)
+        from launchlint.rules.judging.not_in_libexec import is_placed
+
+        placed = flaw.lacks_bit and not flaw.lacks_shebang and is_placed(package.name, node.executable, view.packages)
         none_has_it = flaw.lacks_bit and not found.has_runnable_script
         if wrapped:
             notes = ["catkin_install_python makes a program that runs it, in a devel space of ROS Noetic; elsewhere it cannot be started"]
         elif made is not None:
             notes.append(f"the build may mend it: {made}")
+        elif placed:
+            notes.append(f"a script of the workspace copies programs to lib/{package.name}, perhaps this one, and with that bit")
         elif installed:
             notes.append("CMakeLists.txt installs it with that bit: it runs from an install space, not from a devel space")
         if none_has_it:
@@ -122,13 +128,13 @@ def check(view: LaunchView) -> Iterator[Finding]:
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"{node.executable} cannot be run: it has {wrong}",
-            severity=Severity.INFO if wrapped or installed or made is not None else Severity.WARNING if doubtful else None,
+            severity=Severity.INFO if wrapped or installed or placed or made is not None else Severity.WARNING if doubtful else None,
             label=f"{node.executable} cannot be run",
             related=((line_of(flaw.path, root), "its first line"),),
             notes=tuple(notes),
             help=help,
             topic=path,
-            cause=f"{flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed} {wrapped}",
+            cause=f"{flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed or placed} {wrapped}",
             about=(wrong,),
         )
 

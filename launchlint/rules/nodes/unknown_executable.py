@@ -12,7 +12,8 @@ that name, the help names it; a program or script (with the executable bit or wi
 `_test` or `_node` at the end comes first. Where the command that would build the program is commented out in `CMakeLists.txt`, a note says
 so. In ROS 2 only what is installed to `lib/PKG` counts, by `CMakeLists.txt` or by `setup.py` and `setup.cfg`: where these can be followed
 to their end and nothing in the package is called so, it is an error. What is built or lies there and is not installed is told by LL946.
-What a shell script of the workspace copies to `install/…/lib/` is passed over, where it names both the package and the program.
+What a shell script or Makefile of the workspace copies to `install/…/lib/` or `devel/lib/` is passed over, where it names both the package
+and the program.
 
 ## Why it matters
 
@@ -120,7 +121,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             yield from _by_library(node, view, here=False)
             continue
         known = contents(view.packages).executables(package)
-        if name in known.by_name or known.flaw(name) is not None:
+        if name in known.by_name or known.flaw(name) is not None or _is_placed(package.name, name, view):
             continue
         slip = _slip(name, known.names)
         if not known.exhaustive and slip is not None and may_build(package.directory, name):
@@ -189,6 +190,12 @@ def together(findings: Sequence[Finding]) -> Finding:
         else f"let the CMakeLists.txt of {package} build them, or correct the package",
         fix=None,
     )
+
+
+def _is_placed(package: str, name: str, view: GraphView) -> bool:
+    from launchlint.rules.judging.not_in_libexec import is_placed
+
+    return is_placed(package, name, view.packages)
 
 
 def _left_empty(node: Node, view: GraphView) -> str:
