@@ -12,7 +12,8 @@ of users that a `<machine>` of the file logs in as.
 
 In the values of args and params, and in what nodes get as `args` or `env`, it speaks about paths below the home directory of one person
 and about `..` that leads out of a package; that is an info where no package holds what is named, and so is `~`, which nodes expand or
-do not. What stands in many places is told once, and so are all relative names.
+do not. What stands in many places is told once, and so are all relative names. A name that leads nowhere besides (LL401, LL502) is told
+once, too: by that rule where it is the worse.
 
 In ROS 2 it speaks about absolute paths of includes, paths below a home directory and `~`: relative names are told by LL401 and LL502.
 It is an info where a launch file in Python reads variables of the environment, with which it may take another path.
@@ -161,9 +162,12 @@ def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """The paths of one machine, each with a name of its own to write."""
+    """The paths of one machine, each with a name of its own to write; that a file is not here either is no more than a note."""
     told = joined(findings)
-    return told if len({each.help for each in findings}) < 2 else told._replace(help=f"{told.help.removesuffix(_ALIKE)}{_ALIKE}")
+    missing = (each for each in findings if each.rule != RULE.id and each.location == told.location and each.severity > Severity.INFO)
+    told = told._replace(notes=tuple(dict.fromkeys((*told.notes, *(note for each in missing for note in each.notes[:1])))))
+    several = len({each.help for each in findings if each.rule == RULE.id}) > 1
+    return told._replace(help=f"{told.help.removesuffix(_ALIKE)}{_ALIKE}") if several else told
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:

@@ -23,7 +23,7 @@ def joined(findings: Sequence[Finding], first: Finding | None = None) -> Finding
     others = [finding for finding in findings if finding is not first]
     elsewhere = [finding for finding in others if finding.location != first.location]
     related = {item.location: item for item in first.related}
-    new = [finding for finding in elsewhere if finding.location not in related]
+    new = {finding.location: finding for finding in reversed(elsewhere) if finding.location not in related}.values()
     for finding in elsewhere:
         related.setdefault(finding.location, Related(finding.location, finding.label or finding.message))
         for item in finding.related:
