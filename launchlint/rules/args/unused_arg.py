@@ -7,14 +7,14 @@ purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be t
 of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
 
 It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
-`value`. So it is where another file names this one and gives the arg with `name:=…` (a script, a service, a document, the args of a node in
-another launch file): it belongs to an interface that is kept; and where includes pass it, with others, to another launch file of the same
-directory as well, which reads it. It is one, too, where no include passes the arg and nobody is likely to give
-it: it has no default (roslaunch asks for it only where it is read, so that such a rest of a template is in nobody's way), or the file is
-a `.test`; where the file holds nothing but args, to keep the place of one that other robots have (as MoveIt's Setup Assistant writes them);
-and where the package is a copy of a public one among packages of other people. All args of one file that are never read are told as one,
-and so are those of the same names in several files, which mostly were copied from each other; in files of one directory also where some of
-them leave unread only some of these args, two or more.
+`value`, or a comment above it or behind it says `TODO` or *not yet*, and nothing of its value. So it is where another file names this one
+and gives the arg with `name:=…` (a script, a service, a document, the args of a node in another launch file): it belongs to an interface
+that is kept; and where includes pass it, with others, to another launch file of the same directory as well, which reads it. It is one,
+too, where no include passes the arg and nobody is likely to give it: it has no default (roslaunch asks for it only where it is read, so
+that such a rest of a template is in nobody's way), or the file is a `.test`; where the file holds nothing but args, to keep the place of
+one that other robots have (as MoveIt's Setup Assistant writes them); and where the package is a copy of a public one among packages of
+other people. All args of one file that are never read are told as one, and so are those of the same names in several files, which mostly
+were copied from each other; in files of one directory also where some of them leave unread only some of these args, two or more.
 
 In ROS 2 an arg is seen by all that is executed after it, passed on or not. There it is told of only where neither its file reads it
 (`$(var …)`) nor any file that is included by it or executed later; not where one of these is in Python or not
@@ -57,7 +57,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from launchlint.evaluate.ros2.problems import ArgUnused
 from launchlint.finding import Finding, Severity
@@ -98,6 +98,10 @@ ON_PURPOSE = late(
     r"\b(?:old|previous|previously)\b(?!\s*(?:value|default)?\s*[:=]?\s*[-+.\d])|\b(?:prevents?|backwards?|so\s+that)\b",
     re.IGNORECASE,
 )
+# In capitals: in Spanish, todo is everything.
+_LATER = late(r"\b(?:TODO|FIXME)\b|(?i:\bnot\s+yet\b|\bnot\s+implemented\b|\bunimplemented\b|\bto\s+be\s+(?:used|implemented)\b)")
+_OF_VALUE = late(r"\b(?:set|change|adjust|adapt|fill|replace|tune|your|values?|defaults?)\b", re.IGNORECASE)
+STILL_TO_BE_USED = "a comment beside it says that something is still to be done"
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -116,7 +120,8 @@ def check(view: FileView) -> Iterator[Finding]:
     read = _names_read(document)
     if read is None:
         return
-    kept = _kept_on_purpose(document)
+    kept = {each.index for each in document.elements if each.tag == "arg" and ON_PURPOSE.search(each.get("doc") or "")}
+    kept |= _spoken_of(document, _says_so)
     in_comments = {name for comment in document.comments for name in _names_in(comment.text)}
     unread = {
         name: elements
@@ -127,6 +132,10 @@ def check(view: FileView) -> Iterator[Finding]:
     meant = {name: near for name in unread if (near := _read_instead(name, undeclared))}
     nothing_else = all(each.tag in ("launch", "group", "arg") for each in document.elements)
     reasons = {name: NOTHING_ELSE if nothing_else else _why_idle(name, elements, in_comments) for name, elements in unread.items()}
+    later = _spoken_of(document, _says_later) if unread else set()
+    for name, elements in unread.items():
+        if not reasons[name] and name not in meant and all(element.index in later for element in elements):
+            reasons[name] = STILL_TO_BE_USED
     causes = {
         reason: _cause([unread[name] for name, each in reasons.items() if each == reason and name not in meant], reason, document)
         for reason in dict.fromkeys(reasons.values())
@@ -403,20 +412,19 @@ def _is_check(element: Element) -> bool:
     return expression_in(element.get("value") or "") is not None
 
 
-def _kept_on_purpose(document: Document) -> set[int]:
-    """Indices of the args whose ``doc``, or a comment, says that they are not meant to be read.
+def _spoken_of(document: Document, says: Callable[[Comment], bool]) -> set[int]:
+    """Indices of the args of which a comment ``says`` something.
 
     A comment speaks of the args that end in its line; if it begins its line also of the run of args directly below it, as far as the next
     element of another kind, or the next comment behind a blank line.
     """
-    args = [each for each in document.elements if each.tag == "arg"]
-    kept = {each.index for each in args if ON_PURPOSE.search(each.get("doc") or "")}
-    speaking = [each for each in document.comments if _says_so(each)]
+    speaking = [each for each in document.comments if says(each)]
     if not speaking:
-        return kept
+        return set()
+    args = [each for each in document.elements if each.tag == "arg"]
     source = document.source
     lines = {source.position(each.span.start).line for each in speaking}
-    kept.update(each.index for each in args if source.position(each.span.end).line in lines)
+    kept = {each.index for each in args if source.position(each.span.end).line in lines}
     things: list[Element | Comment] = sorted([*document.elements, *document.comments], key=lambda each: each.span.start)
     heard = in_run = False
     line = 0  # in which the comment or start tag before ended
@@ -428,7 +436,7 @@ def _kept_on_purpose(document: Document) -> set[int]:
             in_run = heard
             if heard:
                 kept.add(thing.index)
-        elif first.line > line and _says_so(thing):
+        elif first.line > line and says(thing):
             heard, in_run = True, False
         elif first.line > line + 1:
             heard = False
@@ -437,5 +445,11 @@ def _kept_on_purpose(document: Document) -> set[int]:
 
 
 def _says_so(comment: Comment) -> bool:
-    """Whether the words of a comment say it; not the XML that is commented out in it."""
+    """Whether the words of a comment call something unused or the like; not the XML that is commented out in it."""
     return ON_PURPOSE.search(MARKUP.sub(" ", comment.text)) is not None
+
+
+def _says_later(comment: Comment) -> bool:
+    """Whether they say that something is still to be done, other than to give it another value."""
+    words = MARKUP.sub(" ", comment.text)
+    return _LATER.search(words) is not None and _OF_VALUE.search(words) is None
