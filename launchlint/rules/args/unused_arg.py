@@ -7,14 +7,15 @@ purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be t
 of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
 
 It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
-`value`, or a comment above it or behind it says `TODO` or *not yet*, and nothing of its value. So it is where another file names this one
-and gives the arg with `name:=…` (a script, a service, a document, the args of a node in another launch file): it belongs to an interface
-that is kept; and where includes pass it, with others, to another launch file of the same directory as well, which reads it. It is one,
-too, where no include passes the arg and nobody is likely to give it: it has no default (roslaunch asks for it only where it is read, so
-that such a rest of a template is in nobody's way), or the file is a `.test`; where the file holds nothing but args, to keep the place of
-one that other robots have (as MoveIt's Setup Assistant writes them); and where the package is a copy of a public one among packages of
-other people. All args of one file that are never read are told as one, and so are those of the same names in several files, which mostly
-were copied from each other; in files of one directory also where some of them leave unread only some of these args, two or more.
+`value`, or a comment above it or behind it says `TODO` or *not yet*, and nothing of its value, and no arg of the run below it is read. So
+it is where another file names this one and gives the arg with `name:=…` (a script, a service, a document, the args of a node in another
+launch file): it belongs to an interface that is kept; and where includes pass it, with others, to another launch file of the same
+directory as well, which reads it. It is one, too, where no include passes the arg and nobody is likely to give it: it has no default
+(roslaunch asks for it only where it is read, so that such a rest of a template is in nobody's way), or the file is a `.test`; where the
+file holds nothing but args, to keep the place of one that other robots have (as MoveIt's Setup Assistant writes them); and where the
+package is a copy of a public one among packages of other people. All args of one file that are never read are told as one, and so are
+those of the same names in several files, which mostly were copied from each other; in files of one directory also where some of them leave
+unread only some of these args, two or more.
 
 In ROS 2 an arg is seen by all that is executed after it, passed on or not. There it is told of only where neither its file reads it
 (`$(var …)`) nor any file that is included by it or executed later; not where one of these is in Python or not
@@ -132,7 +133,7 @@ def check(view: FileView) -> Iterator[Finding]:
     meant = {name: near for name in unread if (near := _read_instead(name, undeclared))}
     nothing_else = all(each.tag in ("launch", "group", "arg") for each in document.elements)
     reasons = {name: NOTHING_ELSE if nothing_else else _why_idle(name, elements, in_comments) for name, elements in unread.items()}
-    later = _spoken_of(document, _says_later) if unread else set()
+    later = _kept_for_later(document, {each.index for elements in unread.values() for each in elements}) if unread else set()
     for name, elements in unread.items():
         if not reasons[name] and name not in meant and all(element.index in later for element in elements):
             reasons[name] = STILL_TO_BE_USED
@@ -442,6 +443,14 @@ def _spoken_of(document: Document, says: Callable[[Comment], bool]) -> set[int]:
             heard = False
         line = last.line
     return kept
+
+
+def _kept_for_later(document: Document, unread: set[int]) -> set[int]:
+    """Indices of the args of which a comment says that something is still to be done, in runs of which none is read: else it heads them."""
+    runs: dict[int, set[int]] = {}
+    for at, index in enumerate(sorted(_spoken_of(document, _says_later))):
+        runs.setdefault(index - at, set()).add(index)
+    return {index for run in runs.values() if run <= unread for index in run}
 
 
 def _says_so(comment: Comment) -> bool:
