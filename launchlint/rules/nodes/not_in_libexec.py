@@ -78,7 +78,7 @@ ament_package()
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.plural import listed
@@ -134,13 +134,12 @@ def together(findings: Sequence[Finding]) -> Finding:
     told = joined(findings)
     if len(programs) < 2 or not first.cause.endswith(_NONE):
         return told
-    kinds: dict[str, dict[str, None]] = {}
-    for each in findings:
-        for kind, what in zip(each.about[3::2], each.about[4::2], strict=True):
-            kinds.setdefault(kind, {})[what] = None
+    kinds: dict[str, list[str]] = {}
+    for kind, what in dict.fromkeys(each.about[3:5] for each in findings if each.about[3:]):
+        kinds.setdefault(kind, []).append(what)
     return told._replace(
         message=f"the package {packages[0]} installs none of {len(programs)} programs that are started: {listed(programs, _MOST_NAMED)}",
-        help=", and ".join(_add(kind, list(what)) for kind, what in kinds.items()) or told.help,
+        help=_add(kinds) if kinds else told.help,
     )
 
 
@@ -151,7 +150,7 @@ def _cause(missing: Missing) -> str:
     """
     if missing.built and build_file(missing.package) == "setup.py":
         return f"setup.py {missing.built}"
-    if not missing.built and not missing.installed.libexec:
+    if not any(each.destination for each in missing.installed.programs):
         return f"{missing.package.name}/{_NONE}"
     return f"{missing.package.name}/{missing.node.executable}"
 
@@ -176,12 +175,16 @@ def _added(missing: Missing) -> tuple[str, ...]:
     return ("PROGRAMS", posixpath.relpath(missing.file, missing.package.directory))
 
 
-def _add(kind: str, what: Sequence[str]) -> str:
-    """The advice to add ``what``, of a kind that :func:`_added` gives."""
-    if kind == _ENTRY_POINTS:
-        return f"add {listed(what, _MOST_WRITTEN)} to {kind} in setup.py"
+def _add(kinds: Mapping[str, Sequence[str]]) -> str:
+    """The advice to add what is listed, by the kind that :func:`_added` gives."""
+    if _ENTRY_POINTS in kinds:
+        return f"add {listed(kinds[_ENTRY_POINTS], _MOST_WRITTEN)} to {_ENTRY_POINTS} in setup.py"
+    return f"add {' and '.join(_command(kind, what) for kind, what in kinds.items())} to CMakeLists.txt"
+
+
+def _command(kind: str, what: Sequence[str]) -> str:
     written = " ".join([*what[:_MOST_WRITTEN], *(["…"] if len(what) > _MOST_WRITTEN else [])])
-    return f"add install({kind} {written} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt"
+    return f"install({kind} {written} DESTINATION lib/${{PROJECT_NAME}})"
 
 
 def _help(missing: Missing) -> str:
@@ -192,4 +195,4 @@ def _help(missing: Missing) -> str:
     if not added:
         return f"write install_scripts=$base/lib/{missing.package.name} below [install] in setup.cfg, and script_dir below [develop]"
     kind, what = added
-    return _add(kind, [what])
+    return _add({kind: [what]})
