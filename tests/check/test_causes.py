@@ -100,3 +100,16 @@ def test_packages_of_other_names_are_one_where_a_long_line_was_copied() -> None:
 def test_a_rule_that_knows_copies_joins_them_itself() -> None:
     several = [_at(f"robot{number}/package.xml", 1, f"robot{number} lacks rviz", "<package>", rule="LL701") for number in (1, 2)]
     assert [each.message for each in told_once(several)] != ["robot1 lacks rviz (and at 1 more place)"]
+
+
+def test_the_same_line_at_the_same_place_of_files_of_one_name_is_one() -> None:
+    """Whatever package each of them names; a short one may be chance."""
+
+    def of(package: str, line: int, text: str) -> Finding:
+        return _at(f"{package}_detect/launch/node.launch.py", line, f"{package}_drive has no executable driver", text)
+
+    copied = [of(name, 8, "executable='depthai_driver',") for name in ("ant", "bee")]
+    elsewhere = of("cow", 9, "executable='depthai_driver',")
+    short = [of(name, 10, "exec='driver',") for name in ("dog", "eel")]
+    told = told_with_theirs([*copied, elsewhere, *short])
+    assert [[each.location.line for each in one.of] for one in told] == [[8, 8], [9], [10], [10]]

@@ -48,6 +48,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.late import late
 from launchlint.model import ROS2, Launch, ParameterSetting
+from launchlint.plural import listed
 from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.param_values import is_certain, is_known, shown
 from launchlint.rules.judging.template import has_placeholder
@@ -68,6 +69,8 @@ _CONTAINERS = ("list", "dict")
 _FILLED = "it looks like what a tool replaces before anybody launches the file"
 _ROUNDED = "is rounded"
 _REFUSED = "refused"
+_DECLARED = " declares {} as "
+_MOST_NAMED = 6
 _SWITCHES = ("true", "false")
 _NOTHING = ("", "~", "none", "null", "nil", "off", "no", "n", "disabled", "false", "0")
 _ON = ("on", "yes", "y", "enabled", "true", "1")
@@ -113,7 +116,7 @@ def _refused(view: GraphView) -> Iterator[Finding]:
             said, label, advice = f"{name} takes {allowed} for {each.name}, and is given {shown(each.value)}", _REFUSED, ""
         elif is_refused(each) and not is_integer_for_double(each):
             wanted = WORDS[each.wanted[0].type]
-            said, label = f"{name} declares {each.name} as {wanted}, and is given {WORDS[each.type]}", WORDS[each.type]
+            said, label = f"{name}{_DECLARED.format(each.name)}{wanted}, and is given {WORDS[each.type]}", WORDS[each.type]
             advice = f"give it {wanted}"
         else:
             continue
@@ -131,10 +134,26 @@ def _refused(view: GraphView) -> Iterator[Finding]:
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for a param that one file gives to several nodes of a program (two cameras), each time with a value of the same wrong type."""
-    for several in alike(findings, lambda each: each.key if each.label == _REFUSED else (each.location.path, each.topic, each.label)):
+    """One for a param that one file gives to several nodes of a program (two cameras), each time with a value of the same wrong type, and
+    one for the params that one place gives to a node, all of the same wrong type.
+    """
+    at_once = [
+        _at_once(several) for several in alike(findings, lambda each: (each.location, each.label, each.help, each.topic.partition(" ")[0]))
+    ]
+    for several in alike(at_once, lambda each: each.key if each.label == _REFUSED else (each.location.path, each.topic, each.label)):
         told = joined(several) if len(several) > 1 else several[0]
         yield told if len({each.help for each in several}) == 1 else told._replace(help=f"{told.help}, and the others alike")
+
+
+def _at_once(findings: Sequence[Finding]) -> Finding:
+    """One for ``findings`` about one node at one place, with the names of its params."""
+    names = list(dict.fromkeys(each.topic.partition(" ")[2] for each in findings))
+    told = joined(findings) if len(findings) > 1 else findings[0]
+    declared = _DECLARED.format(names[0])
+    if len(names) < 2 or declared not in told.message:
+        return told
+    said = told.message.replace(declared, _DECLARED.format(f"{len(names)} params"), 1)
+    return told._replace(message=f"{said}: {listed(names, _MOST_NAMED)}")
 
 
 def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:
