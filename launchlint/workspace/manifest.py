@@ -106,19 +106,23 @@ class Manifest(NamedTuple):
 
         A condition that is none counts as true: catkin_pkg refuses the file, and here the author's intention counts.
         """
-        types = [each for each in zip(self.build_types, self.build_conditions, strict=True) if _applies(each[1], context)]
+        types = self._build_types(context)
         return self._replace(
             dependencies=tuple(each for each in self.dependencies if _applies(each.condition, context)),
             build_types=tuple(each for each, _ in types),
             build_conditions=tuple(condition for _, condition in types),
         )
 
+    def _build_types(self, context: Mapping[str, str]) -> list[tuple[str, str]]:
+        """The build types, each with its condition, of which that holds."""
+        return [each for each in zip(self.build_types, self.build_conditions, strict=True) if _applies(each[1], context)]
+
     @property
     def ros_versions(self) -> frozenset[str]:
         """``1`` and ``2``, as far as it is built for them: by catkin, which goes without a build type, or by ament (REP 127, REP 149)."""
         found: set[str] = set()
         for version in ("1", "2"):
-            types = self.under({"ROS_VERSION": version}).build_types or ("catkin",)
+            types = [each for each, _ in self._build_types({"ROS_VERSION": version})] or ["catkin"]
             found.update("2" if each.startswith("ament") else version if each == "cmake" else "1" for each in types)
         return frozenset(found)
 

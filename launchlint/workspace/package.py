@@ -39,7 +39,7 @@ class Package:
     the manifest says.
     """
 
-    __slots__ = ("_context", "_held", "_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
+    __slots__ = ("_context", "_held", "_kind", "_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
 
     def __init__(self, crawled: Crawled, held: Contents | None = None) -> None:
         self._held = held
@@ -51,11 +51,12 @@ class Package:
         self._manifest: Manifest | None = None
         self._read = bool(crawled.reason)
         self._context: Mapping[str, str] | None = None
+        self._kind: Kind | None = None
 
     def under(self, context: Mapping[str, str]) -> Package:
         """The same package where the variables in the conditions of its manifest are those of ``context``."""
         other = copy(self)
-        other._context, other._manifest, other._read = context, None, bool(self.broken)
+        other._context, other._manifest, other._kind, other._read = context, None, None, bool(self.broken)
         return other
 
     def __repr__(self) -> str:
@@ -70,11 +71,13 @@ class Package:
     @property
     def kind(self) -> Kind:
         """What it is to all launch files of a workspace, whoever asks: this alone is not noted as a look at the manifest."""
-        manifest = self._whole
-        built = () if manifest is None else (
-            manifest.is_catkin, manifest.is_ament, manifest.ros_versions, manifest.build_types, manifest.plugins,
-        )  # fmt: skip
-        return Kind(self.name, self.is_metapackage, bool(self.broken), *built)
+        if self._kind is None:
+            manifest = self._whole
+            built = () if manifest is None else (
+                manifest.is_catkin, manifest.is_ament, manifest.ros_versions, manifest.build_types, manifest.plugins,
+            )  # fmt: skip
+            self._kind = Kind(self.name, self.is_metapackage, bool(self.broken), *built)
+        return self._kind
 
     @property
     def _whole(self) -> Manifest | None:
