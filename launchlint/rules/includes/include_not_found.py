@@ -1,19 +1,18 @@
 """An included file does not exist or is no launch file.
 
-What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where
-roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute names outside
-the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may install. It is an info
-where only the default of an arg leads there that all files which include this one override, or a default such as `none` that stands for
-no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for those of a distribution of ROS
-(`/opt/ros/…`) that is not installed here, for names made from an environment
-variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
-it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
-keeps out of the repository; for one in a git submodule that is not checked out; for one that roslaunch is to find in a package which
-is for ROS 2 here; and in a launch file that is called a template. So
-it is where only a switch leads there that MoveIt's Setup Assistant writes into every package, and that nothing here gives. A
-directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie in
-another, and one that lacks several files which one launch file names. A name with a placeholder (`__robot__`, `@ROBOT@`) is left
-alone, and so is an arg with `false` or `none` for a name.
+What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where roslaunch
+is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute names outside the workspace,
+for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may install. It is an info where only the
+default of an arg leads there that all files which include this one override, or a default such as `none` that stands for no choice, for a
+file that `CMakeLists.txt` installs to just this place (it is there from the install space only), for files of the robot (below `/etc`,
+`/opt`, `/home` and the like, outside of the workspace), for those of a distribution of ROS (`/opt/ros/…`) that is not installed here, for
+names made from an environment variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a
+template that lies beside it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration,
+or by what `.gitignore` keeps out of the repository; for one in a git submodule that is not checked out; for one that roslaunch is to find
+in a package which is for ROS 2 here; and in a launch file that is called a template. So it is where only a switch leads there that MoveIt's
+Setup Assistant writes into every package, and that nothing here gives. A directory that is missing is told once, with all files that would
+be in it, and so is one in which files are looked for that lie in another, and one that lacks several files which one launch file names. A
+name with a placeholder (`__robot__`, `@ROBOT@`) is left alone, and so is an arg with `false` or `none` for a name.
 
 ## Why it matters
 
@@ -65,7 +64,7 @@ from launchlint.evaluate.problems import IncludeNotFound, IncludeNotLoadable
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.judging.default_to_correct import SENTINELS, correction, has_arg, unchosen
-from launchlint.rules.judging.installed import installed_from
+from launchlint.rules.judging.installed import installed_at, installed_from, says_installed
 from launchlint.rules.judging.joined import joined, led_by
 from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made, malformed
@@ -130,11 +129,12 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         notes.append("a relative name counts from the directory roslaunch is started in, not from this file")
     if environment:
         notes.append("the name hangs on an environment variable, which may be another one on the robot")
-    installed = installed_from(file, view.packages) if not relative and not environment else None
+    placed = installed_at(file, view.packages) if file and not relative and not environment else None
+    installed = placed or (installed_from(file, view.packages) if not relative and not environment else None)
     maker = made(file, view, root) if not relative and not environment and installed is None else None
     if maker is not None:
         notes.append(maker.why)
-    if installed is not None:
+    if installed is not None and placed is None:
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
     severity = Severity.WARNING if beside or outside or installed is not None else None
     meant = f"$(dirname)/{file}"
@@ -165,6 +165,10 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         notes.append(
             f"{shown(home.directory, root)} is a package for ROS 2: where roslaunch starts this file, another {home.name} is found"
         )
+    if placed is not None:
+        severity, repair = Severity.INFO, None
+        note, advice = says_installed(placed, view.packages, root or "")
+        notes.append(note)
     if environment:
         severity = Severity.INFO
         advice = "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"

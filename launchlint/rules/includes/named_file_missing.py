@@ -4,12 +4,12 @@ What it does: it looks for the files that the `args` of nodes and the `command` 
 workspace. It is an error where roslaunch itself fails because of it: `command` runs a program that is not there, or lets xacro or cat read
 the file. Files that are there to be written (behind `-o` or `>`, of a recorder) are passed over; logs, bags and the like, too, unless a
 file of nearly that name is there. It is an info where a file is made: by a command of `CMakeLists.txt`, from a template that lies beside
-it, by another node or another launch file of the package, or by what `.gitignore` keeps out of the repository; where its directory is
-there and holds nothing but a README or the like: what belongs there is put there on each machine; where it lies in a git submodule that is
-not checked out; where the package has no file of that kind at all; where the arg that is to be the name of the file is empty; and where
-args make the name and it takes another value than a default. Files that lie in one other directory, and those of one kind that
-one directory lacks, are told of together. Silent it is where the name is made from an environment variable, also by way
-of args. What LL401 or LL502 tells is not told again.
+it, by another node or another launch file of the package, or by what `.gitignore` keeps out of the repository; where its directory is there
+and holds nothing but a README or the like: what belongs there is put there on each machine; where it lies in a git submodule that is not
+checked out; where `CMakeLists.txt` installs a file to just this place; where the package has no file of that kind at all; where the arg
+that is to be the name of the file is empty; and where args make the name and it takes another value than a default. Files that lie in one
+other directory, and those of one kind that one directory lacks, are told of together. Silent it is where the name is made from an
+environment variable, also by way of args. What LL401 or LL502 tells is not told again.
 
 In ROS 2 it looks at the `args` of nodes, and is silent about what the build installs, or may install, to that place.
 
@@ -76,6 +76,7 @@ from launchlint.late import late
 from launchlint.model import Command, UnknownText
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.elsewhere import elsewhere
+from launchlint.rules.judging.installed import installed_at, says_installed
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import cause_of, made
 from launchlint.rules.judging.moved import lacking, moved, told_as_moved
@@ -187,11 +188,14 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
     if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or _hangs_on_environment(use.origin, view):
         return
     ending = posixpath.splitext(path)[1]
-    maker = made(path, view, root)
+    placed = None if of_ros2(view) else installed_at(path, view.packages)
+    maker = made(path, view, root) if placed is None else None
     reads = named.plain and posixpath.basename(use.program) in _FAIL_WITHOUT
     fails = use.command and (named.position == 0 or reads)
     severity, notes = (Severity.ERROR, ["roslaunch runs the command, and stops where it fails"]) if fails else (None, [])
-    if maker is not None:
+    if placed is not None:
+        severity, notes = Severity.INFO, [*notes, says_installed(placed, view.packages, root)[0]]
+    elif maker is not None:
         severity, notes = Severity.INFO, [*notes, maker.why]
     elif view.launch.given and (opens(written) or of_ros2(view)):
         severity, notes = Severity.INFO, [*notes, "the name is made from args, and these values are only one choice"]
@@ -210,7 +214,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         severity=severity,
         label=f"named here for {posixpath.basename(use.program)}",
         notes=tuple(notes),
-        help=advice if maker is None else maker.help,
+        help=says_installed(placed, view.packages, root)[1] if placed is not None else advice if maker is None else maker.help,
         topic=shown(path, root),
         shared_cause=("" if severity is Severity.INFO else lacking(path) if near is None else moved(path, near)) or cause_of(path, maker),
         about=(shown(path, root),),

@@ -15,7 +15,8 @@ an arg gives a relative path; where, in ROS 2, a relative path leads to a file o
 (`src/robot/config/arm.yaml`); where the path is made from an environment variable, whose value here says little; and where the file is
 made: by a command of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, also one of another launch file of
 the package, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked out, or in a
-directory with nothing but a README; where only the default of an arg leads there that all files which include this one override; and where
+directory with nothing but a README; where `CMakeLists.txt` installs a file to just this place, so that it is there from the install space
+only; where only the default of an arg leads there that all files which include this one override; and where
 that default is `none` or the like and files for other values are there. A directory that is missing is told once, with all files that
 would be in it, and so is one in which files are looked for that lie elsewhere, and one that lacks several files which one launch file
 names.
@@ -55,7 +56,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.model import ROS1, ROS2
 from launchlint.rules.judging.default_to_correct import SENTINELS, has_arg, unchosen
 from launchlint.rules.judging.elsewhere import elsewhere, in_another_package
-from launchlint.rules.judging.installed import installed_from
+from launchlint.rules.judging.installed import installed_at, installed_from, says_installed
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made
@@ -98,6 +99,8 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     )
     if installed is not None and view.dialect.name == ROS2:
         return  # what is launched in ROS 2 is what is installed, and nothing is here that says what that is
+    placed = installed_at(problem.file, view.packages) if missing and view.dialect.name == ROS1 and not problem.relative else None
+    installed = installed or placed
     look = missing and not problem.relative and not problem.environment and installed is None
     maker = made(problem.file, view, root_of(problem.place.source)) if look else None
     perhaps = _may_be_installed(problem.file, view) if look and maker is None else ""
@@ -108,6 +111,9 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         severity = Severity.WARNING
     if (path and problem.environment) or not (path or problem.refused):
         severity = Severity.INFO  # an empty name is how people say that there is no file
+    elif placed is not None:
+        severity = Severity.INFO
+        notes.append(says_installed(placed, view.packages, root_of(problem.place.source))[0])
     elif installed is not None:
         severity = Severity.WARNING
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
@@ -174,6 +180,8 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         if absent
         else choice[1]
         if choice is not None
+        else says_installed(placed, view.packages, root_of(problem.place.source))[1]
+        if placed is not None and not problem.environment
         else _advice(problem, near, view),
         shared_cause=left_over_in(problem.file, view)
         or (f"relative in {problem.place.source.path}" if path and problem.relative and severity is Severity.WARNING else "")
