@@ -3,9 +3,11 @@
 What it does: for each node whose package lies in the workspace, it works out what the package installs, from `CMakeLists.txt`, or from
 `setup.py` and `setup.cfg`, which are read and never run. It tells of programs that are installed to another directory than `lib/PKG` (to
 `bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
-files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out. What no part of the package
-is called is told by LL304. All scripts of a `setup.py` that go to another directory are one finding, and so are those of all packages of a
-workspace whose `setup.py` sends them to the same one, and all programs of a package that installs none.
+files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out, and where the program is
+built only if somebody switches on an `option()` that is off; and an info where the target is commented out in an `install()`: it is left
+out on purpose. What no part of the package is called is told by LL304. All scripts of a `setup.py` that go to another directory are one
+finding, and so are those of all packages of a workspace whose `setup.py` sends them to the same one, and all programs of a package that
+installs none.
 
 ## Why it matters
 
@@ -88,11 +90,14 @@ from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
+from launchlint.workspace.cmake_comments import CMAKE_FILE, left_out_of_install
+from launchlint.workspace.cmake_switches import switch_of
 
 _MOST_NAMED = 3
 _MOST_WRITTEN = 20
 _ENTRY_POINTS = "console_scripts"
 _NONE = "none at all"
+LEFT_OUT = "it is commented out in an install(), so that it is left out on purpose: "
 RULE = Rule("LL946", "not-in-libexec", Severity.ERROR, roslaunch="refuses")
 
 
@@ -105,18 +110,20 @@ def check(view: LaunchView) -> Iterator[Finding]:
             continue
         node, package = missing.node, missing.package
         assumed = any(condition.assumed for condition in node.conditions)
-        severity = Severity.WARNING if assumed else RULE.severity
+        switch, line = _kept_back(missing)
+        severity = Severity.INFO if line else Severity.WARNING if assumed or switch else RULE.severity
+        file = shown(posixpath.join(package.directory, build_file(package)), root)
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
-            f"{node.executable} is not in lib/{package.name}: {_where(missing)}",
+            f"{node.executable} is not in lib/{package.name}: {_where(missing, switch)}",
             severity=severity,
             label="not found there",
             notes=(
-                f"read in {shown(posixpath.join(package.directory, build_file(package)), root)}",
+                f"{LEFT_OUT}{file}, line {line}" if line else f"read in {file}",
                 f"ros2 launch stops: executable '{node.executable}' not found on the libexec directory",
             ),
-            help=_help(missing),
-            cause=f"{severity.word} {_cause(missing)}",
+            help=_help(missing, switch),
+            cause=f"{severity.word} {package.name}/{node.executable}" if switch or line else f"{severity.word} {_cause(missing)}",
             about=(package.name, missing.built or "", node.executable, *_added(missing)),
         )
 
@@ -143,6 +150,15 @@ def together(findings: Sequence[Finding]) -> Finding:
     )
 
 
+def _kept_back(missing: Missing) -> tuple[str, int | None]:
+    """The option without which the program is not built, and the line in which an ``install()`` has it in a comment; of CMake only."""
+    package, name = missing.package, missing.node.executable
+    if missing.built is None or build_file(package) != CMAKE_FILE:
+        return "", None
+    line = left_out_of_install(package.directory, package.name, (name,)) if missing.built == "" else None
+    return switch_of(package.directory, package.name, name), line
+
+
 def _cause(missing: Missing) -> str:
     """``setup.cfg`` says of all scripts at once where they are installed; who leaves it out of one package knows of no other.
 
@@ -155,9 +171,11 @@ def _cause(missing: Missing) -> str:
     return f"{missing.package.name}/{missing.node.executable}"
 
 
-def _where(missing: Missing) -> str:
+def _where(missing: Missing, switch: str) -> str:
     if missing.built:
         return f"it is installed to {missing.built}"
+    if switch:
+        return f"it is built only with -D{switch}=ON, and not installed"
     if missing.built == "":
         return "it is built and not installed"
     assert missing.file is not None
@@ -187,7 +205,7 @@ def _command(kind: str, what: Sequence[str]) -> str:
     return f"install({kind} {written} DESTINATION lib/${{PROJECT_NAME}})"
 
 
-def _help(missing: Missing) -> str:
+def _help(missing: Missing, switch: str) -> str:
     made = [each.name for each in missing.installed.libexec.values() if missing.file in each.sources]
     if len(made) == 1:
         return f"write {made[0]}, which {build_file(missing.package)} makes of {posixpath.basename(missing.file or '')}"
@@ -195,4 +213,4 @@ def _help(missing: Missing) -> str:
     if not added:
         return f"write install_scripts=$base/lib/{missing.package.name} below [install] in setup.cfg, and script_dir below [develop]"
     kind, what = added
-    return _add({kind: [what]})
+    return f"put {_command(kind, [what])} into the if({switch}) that builds it" if switch else _add({kind: [what]})
