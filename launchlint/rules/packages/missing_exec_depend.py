@@ -74,11 +74,12 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 
 `--fix` adds the line to `package.xml`, below the last dependency, and proves that nothing else changes in it. What is declared for tests
 only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build nothing
-any more. Where two packages would only need each other to run, catkin has no objection; no fix makes such a ring either, since the file
-may belong into the other package. A fix is not called safe where it names a package of the workspace whose launch files lead back here,
-over packages that they use and do not declare: that one's fix could close the ring from the other side. Nor is it where one of the
-distributions that the workspace, or a condition in the `package.xml`, names has never had the package (where none is named: none since
-Kinetic): rosdep would not find it. What the fix leaves out is said, with the reason.
+any more. Where two packages would only need each other to run, catkin has no objection; no fix makes such a ring either, since the file may
+belong into the other package. A fix is not called safe where it names a package of the workspace whose launch files lead back here, over
+packages that they use and do not declare: that one's fix could close the ring from the other side. Nor is it where one of the distributions
+that the workspace, or a condition in the `package.xml`, names has never had the package (where none is named: none since Kinetic): rosdep
+would not find it. In ROS 2 the dependency is then written with a `condition` for those that have had it. What the fix leaves out is said,
+with the reason.
 """
 
 from __future__ import annotations
@@ -96,6 +97,7 @@ from launchlint.rules.judging.missing_package import is_placeholder
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.judging.projects import is_published
+from launchlint.rules.judging.released import Lacking, lacking
 from launchlint.rules.judging.stale_package import own_files_instead, own_instead
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, of_ros2
@@ -135,11 +137,6 @@ _OF_TESTS = late(r"(?:^|[/_.-])tests?(?:[/_.-]|$)")
 _FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
 """As an expression asks for a package."""
 _NOT_IN_COLCON = ("AMENT_IGNORE", "COLCON_IGNORE")
-_RECENT = ("kinetic", "melodic", "noetic")
-"""What a workspace that names no distribution is taken to be for."""
-_CONDITION = late(r"\scondition\s*=\s*[\"']([^\"'<>]*)")
-_DISTRIBUTION = late(r"\b(?:indigo|jade|kinetic|lunar|melodic|noetic)\b", re.IGNORECASE)
-"""In the conditions of a ``package.xml`` of format 3: it is for all distributions that these tell apart."""
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -194,7 +191,8 @@ def check(view: FileView) -> Iterator[Finding]:
         at = written[0].span if written else None
         only = "for tests only" if tested else BUILT_ONLY if written else ""
         says = f"declares {name} {only}" if only else f"does not declare {name}"
-        line = _line(name, manifest.format, is_test=is_test)
+        without = lacking(name, manifest, packages)
+        line = _line(name, manifest.format, is_test=is_test, condition=without.condition)
         way = None if tested else ways.get(name)
         closes = way is not None and (way.built or is_test or ros2)
         beside = not tested and not is_published(home) and _is_beside(name, packages, file)
@@ -212,14 +210,14 @@ def check(view: FileView) -> Iterator[Finding]:
                 *([f"{LEFT_OUT}{reason}"] if reason else []),
                 *([TRIED.format(name)] if tried else []),
                 *([] if way is None else [_ring(way, "colcon" if ros2 else "catkin", closes=closes)]),
-                *([] if tested or reason or way is not None else _doubts(name, later, manifest, packages)),
+                *([] if tested or reason or way is not None else _doubts(name, later, without)),
             ),
             help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
             fix=None
             if tested or (reason and not extra) or way is not None
-            else _fix(place, manifest, line, safe=not _doubts(name, later, manifest, packages)),
+            else _fix(place, manifest, line, safe=not _doubts(name, later, without)),
         )
 
 
@@ -258,19 +256,10 @@ def _foreign(name: str, files: Sequence[str], where: Place, home: Package) -> Fi
     )
 
 
-def _doubts(name: str, later: Mapping[str, Way], manifest: Manifest, packages: Packages) -> list[str]:
+def _doubts(name: str, later: Mapping[str, Way], without: Lacking) -> list[str]:
     """Why a fix that declares the package is not safe; nothing where it is."""
     doubts = [_LATER.format(name, "declares", "its", "it")] if name in later else []
-    if manifest.is_ament:
-        return doubts  # what was released for which distribution, the lists of ROS 1 say
-    from launchlint.workspace.releases import never_released
-
-    named = {each.lower() for text in _CONDITION.findall(manifest.source.text) for each in _DISTRIBUTION.findall(text)}
-    meant = named | packages.distributions().meant
-    lacking = sorted(each for each in meant or _RECENT if never_released((name,), each))
-    if not packages.has(name) and (lacking if meant else len(lacking) == len(_RECENT)):
-        doubts.append(f"{name} was never released for {', '.join(each.title() for each in lacking)}: rosdep does not find it there")
-    return doubts
+    return [*doubts, without.why(name)] if without.distributions else doubts
 
 
 def _home(packages: Packages, file: str) -> Package | None:
@@ -311,9 +300,9 @@ def together(findings: Sequence[Finding]) -> Finding:
         added = [finding.topic for finding in findings if finding.fix in fixes]
         message = f"add {len(fixes)} dependencies" if len(fixes) == len(findings) else f"add {listed(added, MOST_NAMED)}, not the others"
         fix = Fix(message, fixes[0].safe, (whole,))
-    lacking = f"{'for running ' if any(each.label == BUILT_ONLY for each in findings) else ''}{len(names)} packages"
+    lacks = f"{'for running ' if any(each.label == BUILT_ONLY for each in findings) else ''}{len(names)} packages"
     return first._replace(
-        message=f"{first.location.path} does not declare {lacking} that its launch files use: {listed(names, MOST_NAMED)}",
+        message=f"{first.location.path} does not declare {lacks} that its launch files use: {listed(names, MOST_NAMED)}",
         label="not declared here",
         related=tuple(related._replace(label=f"{finding.topic} is used here") for finding in findings for related in finding.related),
         notes=(
@@ -326,7 +315,7 @@ def together(findings: Sequence[Finding]) -> Finding:
         help=f"{help}, and so on" if help.startswith("add ") else help,
         fix=fix,
         topic="",
-        about=(lacking, listed(names, MOST_NAMED), *names),
+        about=(lacks, listed(names, MOST_NAMED), *names),
     )
 
 
@@ -365,12 +354,12 @@ def _fix(place: Place, manifest: Manifest, line: str, *, safe: bool) -> Fix | No
     return Fix(f"add {line}", safe, (Edit(source.path, span.end, span.end, f"{newline}{indent}{line}" if alone else line),))
 
 
-def _line(name: str, format_: int, *, is_test: bool) -> str:
+def _line(name: str, format_: int, *, is_test: bool, condition: str) -> str:
     """The element that declares ``name``: for a test, where there is one for tests (from ``package.xml`` format 1 on), that one."""
     if format_ == 0:
         return f'<depend package="{name}"/>'
     tag = "test_depend" if is_test else "run_depend" if format_ == 1 else "exec_depend"
-    return f"<{tag}>{name}</{tag}>"
+    return f'<{tag} condition="{condition}">{name}</{tag}>' if condition else f"<{tag}>{name}</{tag}>"
 
 
 def _is_commented_out(name: str, manifest: Manifest) -> bool:
