@@ -6,9 +6,10 @@ and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on pu
 where the package installs nothing but headers, and where all it has is `catkin_install_python`, which makes scripts run in a devel space,
 too, or it installs none of the programs that it builds (a rest of a template), or nothing but programs, libraries, headers and descriptions
 of plugins, which is what catkin's template offers, and was never released; unless a script, a workflow, an image or a README installs what
-is built. Where one of the files that it installs by name does not exist, installing fails, and it is an info, too. And it is one for a file
-beside `CMakeLists.txt` where another one of its name is installed. All files of one package that are missing for one reason are told of
-at once, and so are those of several packages that each leave out directories of the same names.
+is built. Where one of the files that it installs by name does not exist, installing fails, and it is an info, too. So it is where the file,
+or a directory above it, is commented out in an `install()`: it is left out on purpose. And it is one for a file beside `CMakeLists.txt`
+where another one of its name is installed. All files of one package that are missing for one reason are told of at once, and so are those
+of several packages that each leave out directories of the same names.
 
 ## Why it matters
 
@@ -90,6 +91,7 @@ from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
+from launchlint.workspace.cmake_comments import left_out_of_install
 from launchlint.workspace.looking import exists, is_file, question
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
@@ -105,6 +107,7 @@ FAILS = "it installs {}, which does not exist, so that installing fails: nobody 
 OFFERED = "it installs only what catkin's template offers (programs, libraries, headers), and nothing here installs the package"
 LEFT = "it installs none of the programs that it builds, and nothing here installs the package"
 
+_LEFT_OUT = "it is commented out in an install() (line {}), so that it is left out on purpose"
 _SHARE = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
 _MOST_NAMED = 6
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
@@ -169,6 +172,10 @@ def check(view: FileView) -> Iterator[Finding]:
     absent = next((each.path for each in installed.installs if _fails(each, package)), "")
     if absent:
         reason = FAILS.format(posixpath.relpath(absent, package.directory))
+    parts = inside.split("/")
+    line = left_out_of_install(package.directory, package.name, {"/".join(parts[:end]) for end in range(1, len(parts) + 1)})
+    if line is not None:
+        reason = _LEFT_OUT.format(line)
     severity = Severity.INFO if headers or reason else RULE.severity
     meant = f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed"
     yield RULE.at(
@@ -177,8 +184,12 @@ def check(view: FileView) -> Iterator[Finding]:
         severity=severity,
         label="missing from an installed package",
         notes=(reason or meant,),
-        help=f"add install(DIRECTORY {directory} {_SHARE})" if directory else f"add install(FILES {inside} {_SHARE})",
-        cause=f"{severity.word} {name}",
+        help=f"take it in again in line {line}, once it is to be installed"
+        if line is not None
+        else f"add install(DIRECTORY {directory} {_SHARE})"
+        if directory
+        else f"add install(FILES {inside} {_SHARE})",
+        cause=f"{severity.word} {name}{'' if line is None else ' left out'}",
         about=(package.name, *((directory,) if directory and not reason else ())),
     )
 
