@@ -7,15 +7,15 @@ purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be t
 of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
 
 It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
-`value`, or a comment above it or behind it says `TODO` or *not yet*, and nothing of its value, and no arg of the run below it is read. So
-it is where another file names this one and gives the arg with `name:=…` (a script, a service, a document, the args of a node in another
-launch file): it belongs to an interface that is kept; and where includes pass it, with others, to another launch file of the same
-directory as well, which reads it. It is one, too, where no include passes the arg and nobody is likely to give it: it has no default
-(roslaunch asks for it only where it is read, so that such a rest of a template is in nobody's way), or the file is a `.test`; where the
-file holds nothing but args, to keep the place of one that other robots have (as MoveIt's Setup Assistant writes them); and where the
-package is a copy of a public one among packages of other people. All args of one file that are never read are told as one, and so are
-those of the same names in several files, which mostly were copied from each other; in files of one directory also where some of them leave
-unread only some of these args, two or more.
+`value`, or a comment above it or behind it says `TODO` or *not yet*, and nothing of its value, and no arg of the run below it is read; or a
+comment anywhere in the file names the arg and says that it is not (to be) used. So it is where another file names this one and gives the
+arg with `name:=…` (a script, a service, a document, the args of a node in another launch file): it belongs to an interface that is kept;
+and where includes pass it, with others, to another launch file of the same directory as well, which reads it. It is one, too, where no
+include passes the arg and nobody is likely to give it: it has no default (roslaunch asks for it only where it is read, so that such a rest
+of a template is in nobody's way), or the file is a `.test`; where the file holds nothing but args, to keep the place of one that other
+robots have (as MoveIt's Setup Assistant writes them); and where the package is a copy of a public one among packages of other people. All
+args of one file that are never read are told as one, and so are those of the same names in several files, which mostly were copied from
+each other; in files of one directory also where some of them leave unread only some of these args, two or more.
 
 In ROS 2 an arg is seen by all that is executed after it, passed on or not. There it is told of only where neither its file reads it
 (`$(var …)`) nor any file that is included by it or executed later; not where one of these is in Python or not
@@ -102,6 +102,12 @@ ON_PURPOSE = late(
 # In capitals: in Spanish, todo is everything.
 _LATER = late(r"\b(?:TODO|FIXME)\b|(?i:\bnot\s+yet\b|\bnot\s+implemented\b|\bunimplemented\b|\bto\s+be\s+(?:used|implemented)\b)")
 _OF_VALUE = late(r"\b(?:set|change|adjust|adapt|fill|replace|tune|your|values?|defaults?)\b", re.IGNORECASE)
+# Of one arg, wherever in the file a comment names it as such: in quotes, or behind the word.
+_NOT_TO_BE_USED = late(
+    r"\b(?:unused|ignored)\b|(?:\b(?:not|never|cannot)|n[’']?t)\s+(?:be\s+)?(?:use|used|put|place|placed|read|need|needed)\b", re.IGNORECASE
+)
+_AS_NAME = late(r"(?:\barg(?:ument)?[ \t]+|(?<!\w)[`'\"]|\barg(?:ument)?[ \t]+[`'\"])(\w+)(?!\w)")
+SAID_NOT_USED = "a comment of this file names it, and says that it is not used"
 STILL_TO_BE_USED = "a comment beside it says that something is still to be done"
 
 
@@ -137,6 +143,8 @@ def check(view: FileView) -> Iterator[Finding]:
     for name, elements in unread.items():
         if not reasons[name] and name not in meant and all(element.index in later for element in elements):
             reasons[name] = STILL_TO_BE_USED
+    said = _said_not_used(document) if unread else set()
+    reasons = {name: reason or (SAID_NOT_USED if name in said and name not in meant else "") for name, reason in reasons.items()}
     causes = {
         reason: _cause([unread[name] for name, each in reasons.items() if each == reason and name not in meant], reason, document)
         for reason in dict.fromkeys(reasons.values())
@@ -451,6 +459,12 @@ def _kept_for_later(document: Document, unread: set[int]) -> set[int]:
     for at, index in enumerate(sorted(_spoken_of(document, _says_later))):
         runs.setdefault(index - at, set()).add(index)
     return {index for run in runs.values() if run <= unread for index in run}
+
+
+def _said_not_used(document: Document) -> set[str]:
+    """Names of args of which a comment anywhere says that they are not used, or not to be used."""
+    texts = (MARKUP.sub(" ", comment.text) for comment in document.comments)
+    return {name for text in texts if _NOT_TO_BE_USED.search(text) is not None for name in _AS_NAME.findall(text)}
 
 
 def _says_so(comment: Comment) -> bool:
