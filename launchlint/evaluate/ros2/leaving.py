@@ -5,7 +5,7 @@ An include puts nothing back, a group puts back all but two lists, and what wait
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 
 from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
 from launchlint.evaluate.ros2.executed_files import is_python
@@ -13,7 +13,7 @@ from launchlint.evaluate.ros2.names_read import OF_LAUNCH, parts_of
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import Failure, Performer
 from launchlint.evaluate.ros2.problems import DefaultOverruled, LeaksFromGroup, NamespaceLeft, ScopeLost, UndeclaredRead
-from launchlint.model import Remap
+from launchlint.model import Remap, Unknown
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Description, Substitution, Text
@@ -21,6 +21,7 @@ from launchlint.syntax.ros2.description import Action, Description, Substitution
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.evaluate.ros2.executed_files import ExecutedFiles
+    from launchlint.evaluate.ros2.parameters import GlobalSource
     from launchlint.evaluate.ros2.walk import Walk
     from launchlint.problem import Problem
 
@@ -113,12 +114,47 @@ def undeclared(walk: Walk, files: ExecutedFiles) -> Iterator[Problem]:
 
 
 def note_leaks(walk: Walk, place: Place, node: str) -> None:
-    """Record what a group has set that is closed already, and that acts on the ``node`` at ``place``."""
+    """Record what a group has set that is closed already, and that acts on the ``node`` at ``place``: it would get another value else."""
     context = walk.context
-    for each in (*(context.remaps or ()), *(context.parameters or ())) if context.leaked else ():
-        if id(each) in context.leaked:
+    if not context.leaked:
+        return
+    same = {*_same_params(context.parameters or (), context.leaked), *_same_remaps(context.remaps or (), context.leaked)}
+    for each in (*(context.remaps or ()), *(context.parameters or ())):
+        if id(each) in context.leaked and id(each) not in same:
             tag = "set_remap" if isinstance(each, Remap) else "set_parameter" if isinstance(each, GlobalParameter) else _FROM_FILE
             walk.record_once(LeaksFromGroup(origin=each.origin, related=((place, "and so acts on this, too"),), tag=tag, node=node))
+
+
+def _same_params(given: Sequence[GlobalSource], leaked: Container[int]) -> Iterator[int]:
+    """The identities of what has leaked of params that have one value with it and without it: of several the last counts.
+
+    What a file sets is not looked at.
+    """
+    params = [each for each in given if isinstance(each, GlobalParameter)]
+    if len(params) < len(given):
+        return
+    without = {each.name: each for each in params if id(each) not in leaked}
+    last = {each.name: each for each in params}
+    for each in params:
+        own = without.get(each.name)
+        if own is not None and _kind(own) is not None and _kind(own) == _kind(last[each.name]):
+            yield id(each)
+
+
+def _kind(param: GlobalParameter) -> tuple[object, ...] | None:
+    """What two params that are the same agree in; None for one that is not known."""
+    return (
+        None if isinstance(param.name, Unknown) or isinstance(param.value, Unknown) else (type(param.value), repr(param.value), param.meant)
+    )
+
+
+def _same_remaps(given: Sequence[Remap], leaked: Container[int]) -> Iterator[int]:
+    """The identities of what has leaked of remaps of one name that all lead to one other, one of them not leaked."""
+    targets: dict[str, set[str]] = {}
+    for each in given:
+        targets.setdefault(each.source, set()).add(each.target)
+    own = {each.source for each in given if each.source and id(each) not in leaked}
+    yield from (id(each) for each in given if each.source in own and len(targets[each.source]) == 1)
 
 
 def note_namespace(walk: Walk, own: Value | None, place: Place) -> None:

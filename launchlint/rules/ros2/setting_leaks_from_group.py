@@ -1,7 +1,7 @@
 """A `<set_remap>` or `<set_parameter>` in a group acts on nodes behind the group as well.
 
 What it does: it looks for what a `<group>` sets for its nodes while something of the kind has been set outside of it before, and that is
-given to a node behind the group.
+given to a node behind the group, which would get another value else.
 
 ## Why it matters
 
