@@ -69,7 +69,6 @@ _CONTAINERS = ("list", "dict")
 _FILLED = "it looks like what a tool replaces before anybody launches the file"
 _ROUNDED = "is rounded"
 _REFUSED = "refused"
-_DECLARED = " declares {} as "
 _MOST_NAMED = 6
 _SWITCHES = ("true", "false")
 _NOTHING = ("", "~", "none", "null", "nil", "off", "no", "n", "disabled", "false", "0")
@@ -109,15 +108,17 @@ def _refused(view: GraphView) -> Iterator[Finding]:
     """In ROS 2: values that a node refuses when it declares the param (rclcpp::Node::declare_parameter)."""
     from launchlint.rules.judging.ros2_params import WORDS, beyond, fate, given, is_integer_for_double, is_of_old, is_refused
 
+    about: tuple[str, ...]
     for each in given(view):
         name, program = each.instance.name, each.instance.program
         allowed = beyond(each)
         if allowed:
             said, label, advice = f"{name} takes {allowed} for {each.name}, and is given {shown(each.value)}", _REFUSED, ""
+            about = ()
         elif is_refused(each) and not is_integer_for_double(each):
             wanted = WORDS[each.wanted[0].type]
-            said, label = f"{name}{_DECLARED.format(each.name)}{wanted}, and is given {WORDS[each.type]}", WORDS[each.type]
-            advice = f"give it {wanted}"
+            about, label = (name, wanted, WORDS[each.type]), WORDS[each.type]
+            said, advice = _declared(name, each.name, wanted, label), f"give it {wanted}"
         else:
             continue
         template = isinstance(each.value, str) and has_placeholder(each.value)
@@ -130,6 +131,7 @@ def _refused(view: GraphView) -> Iterator[Finding]:
             help=advice,
             topic=f"{program} {each.name}",
             cause=f"{each.origin.place.source.path} {_FILLED}" if template else f"{program} {each.name} {shown(each.value)}",
+            about=about,
         )
 
 
@@ -149,11 +151,14 @@ def _at_once(findings: Sequence[Finding]) -> Finding:
     """One for ``findings`` about one node at one place, with the names of its params."""
     names = list(dict.fromkeys(each.topic.partition(" ")[2] for each in findings))
     told = joined(findings) if len(findings) > 1 else findings[0]
-    declared = _DECLARED.format(names[0])
-    if len(names) < 2 or declared not in told.message:
+    if len(names) < 2 or not told.about:
         return told
-    said = told.message.replace(declared, _DECLARED.format(f"{len(names)} params"), 1)
-    return told._replace(message=f"{said}: {listed(names, _MOST_NAMED)}")
+    node, wanted, value = told.about
+    return told._replace(message=f"{_declared(node, f'{len(names)} params', wanted, value)}: {listed(names, _MOST_NAMED)}")
+
+
+def _declared(node: str, what: str, wanted: str, value: str) -> str:
+    return f"{node} declares {what} as {wanted}, and is given {value}"
 
 
 def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:
