@@ -39,6 +39,8 @@ TYPES = {"bool": "true or false", "int": "a whole number", "double": "a number w
 
 _FORM = f"write the name of a node (or /** for all), below it {PARAMETERS}, and below that the names with their values"
 
+_FLAT = "a list holds no lists: write all values into one list, or give each list a name of its own"
+
 
 class _Stop(Exception):
     """rcl refuses the file here; ``instead`` is what to write."""
@@ -77,13 +79,14 @@ def add_events(given: Iterable[Event], source: Source, table: Table) -> Refused 
 class _Reading:
     """Where rcl stands in a file.
 
-    ``in_parameters``: below ``ros__parameters``. ``node`` and ``namespace`` are names that grow part by part; each knows by a count of its
-    own of how many keys it is made, and rcl takes them back by looking for the last separator, whether or not a key held one.
+        ``in_parameters``: below ``ros__parameters``. ``nested``: the last list was the first in another one. ``node`` and ``namespace`` are
+    names that grow part by part; each knows by a count of its own of how many keys it is made, and rcl takes them back by looking for the
+    last separator, whether or not a key held one.
     """
 
     __slots__ = (
         *("count", "depth", "in_list", "in_parameters", "key", "key_comes", "list_start", "list_type", "node_span", "namespace"),
-        *("new_mapping", "node", "place", "source", "table", "values"),
+        *("nested", "new_mapping", "node", "place", "source", "table", "values"),
     )
 
     def __init__(self, source: Source, table: Table) -> None:
@@ -94,6 +97,7 @@ class _Reading:
         self.key_comes = True
         self.new_mapping = False
         self.in_list = False
+        self.nested = False
         self.list_type = ""
         self.values: list[Scalar] = []
         self.list_start = 0
@@ -123,9 +127,10 @@ class _Reading:
             self._close()
         elif kind == events.SEQUENCE_START:
             if self.key_comes:
-                raise _Stop("a list stands here where a name must be", event)
+                raise _Stop("a list stands here where a name must be", event, _FLAT if self.nested else _FORM)
             if not self.in_parameters:
                 raise _Stop(f"a list stands outside of {PARAMETERS}", event)
+            self.nested = self.in_list
             self.in_list = True
             self.list_type = ""
             self.list_start = event.start
@@ -145,6 +150,7 @@ class _Reading:
         self.depth -= 1
 
     def _key(self, event: Event) -> None:
+        self.nested = False
         text = event.value.partition("\0")[0]
         if not event.value:
             raise _Stop("a name is empty", event, "give it a name")
