@@ -64,6 +64,7 @@ from launchlint.evaluate.problems import IncludeNotFound, IncludeNotLoadable
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.judging.default_to_correct import SENTINELS, correction, has_arg, unchosen
+from launchlint.rules.judging.elsewhere import file_in_another_package
 from launchlint.rules.judging.installed import installed_at, installed_from, says_installed
 from launchlint.rules.judging.joined import joined, led_by
 from launchlint.rules.judging.left_over import left_over_in
@@ -266,6 +267,8 @@ def _suggestion(file: str, problem: IncludeNotFound, written: str, view: LaunchV
     if not same:
         others = view.packages.launch_files(base)
         same = [each for each in others if each not in taken and not is_out_of_use(each, absolute) and takes(each, passed)]
+        if not others and package is not None and (other := file_in_another_package(absolute, package, view.packages)) is not None:
+            same = [other] if other not in taken and not is_out_of_use(other, absolute) and takes(other, passed) else []
         package = view.packages.package_of(same[0]) if len(same) == 1 else None
     if len(same) > 1:
         listed = ", ".join(shown(each, root) for each in same[:_MOST_NAMED]) + (" …" if len(same) > _MOST_NAMED else "")

@@ -33,10 +33,22 @@ def elsewhere(path: str, package: Package, view: LaunchView) -> str | None:
 
 def in_another_package(path: str, package: Package, packages: Packages) -> str:
     """The only other package of the workspaces that has a file at the same path as ``path`` (absolute) has in ``package``; else empty."""
+    found = _others(posixpath.relpath(path, package.directory), package, packages)
+    return found[0].name if len(found) == 1 else ""
+
+
+def file_in_another_package(path: str, package: Package, packages: Packages) -> str | None:
+    """The file (absolute) that only one other package has there; else None."""
     inside = posixpath.relpath(path, package.directory)
+    found = _others(inside, package, packages)
+    return posixpath.join(found[0].directory, inside) if len(found) == 1 else None
+
+
+def _others(inside: str, package: Package, packages: Packages) -> list[Package]:
+    if inside.startswith(".."):
+        return []
     others = (each for place in packages.places[: len(packages.workspaces)] for each in place.everything if each.name != package.name)
-    found = [each.name for each in islice(others, _MOST_PACKAGES) if is_file(posixpath.join(each.directory, inside))]
-    return found[0] if len(found) == 1 and not inside.startswith("..") else ""
+    return [each for each in islice(others, _MOST_PACKAGES) if is_file(posixpath.join(each.directory, inside))]
 
 
 def _goes_on(longer: str, stem: str) -> bool:
