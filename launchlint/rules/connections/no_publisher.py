@@ -11,6 +11,8 @@ so it is where a remap with the missing name stands in the other node and acts o
 A node that takes any type, as a relay does, is told of only where the names are one letter apart, where both are left alone and a remap
 leads it to the same name in another namespace, or where two others of their kind meet.
 
+Nothing is said of an input for which params of the node switch on a file: `use_pcd_map: true` and a `map_path` for `map`.
+
 It is told, too, where something else shows what was meant, however little the names are alike; a note then says what. The node waits for a
 private name (`~odom`) that no remap leads anywhere, so that others publish there only if they are told to, and just one other node
 publishes such a name, or has the only other loose end of that type. A remap that would join the two stands in another node, where it does
@@ -19,13 +21,14 @@ that the node has. A remap leads what the node publishes to the very topic that 
 of the same program have that name remapped, and meet somebody. In another launch file of the workspace (ROS 1), a remap leads that name of
 the same program to the other one, and no other node gives the same here; where all is known and both are left alone, that of another
 program that waits for such a name counts, too. Two others of their kind meet: copies of both programs, or names of one node that differ in
-one word (`left/image` and `right/image`). A remap makes the name that the node waits for, and of all that publish that type, made for one
-purpose, one alone has the name of its code. Everything is known that could be the publisher, and another node with that name in its code,
-which is no private one, is led by a remap to what the other one publishes. The two would meet if one of them had no remap. Or both nodes
-talk to nobody else, and nobody else speaks that type. Nothing is said of two names that the launch file gives and that have nothing in
-common, where only copies of both programs meet; nor of the first and the last node of a chain, of which one hears and
-the other says the same type, nor of two that a remap parts where what the one says comes, by way of others, of what the other one hears,
-nor of a node that listens to several private names of which a remap leads one somewhere and leaves two or more: it may take any of them.
+one word (`left/image` and `right/image`; `front` and `rear`, where the publisher has that word, too). A remap makes the name that the node
+waits for, and of all that publish that type, made for one purpose, one alone has the name of its code. Everything is known that could be
+the publisher, and another node with that name in its code, which is no private one, is led by a remap to what the other one publishes. The
+two would meet if one of them had no remap. Or both nodes talk to nobody else, and nobody else speaks that type. Nothing is said of two
+names that the launch file gives and that have nothing in common, where only copies of both programs meet; nor of the first and the last
+node of a chain, of which one hears and the other says the same type, nor of two that a remap parts where what the one says comes, by way of
+others, of what the other one hears, nor of a node that listens to several private names of which a remap leads one somewhere and leaves two
+or more: it may take any of them.
 
 Where a node of which not everything is known could be the publisher, and nothing says that it is, only what something shows besides is
 told, or two names that differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the

@@ -10,6 +10,9 @@ names never meet, whatever is in them; it is an info where they differ as those 
 moved to a package of their own (`turtlesim/msg/Pose` and `turtlesim_msgs/msg/Pose`), or from it (`opennav_docking_msgs`), or whose speeds
 got a header with Jazzy (`Twist` and `TwistStamped`).
 
+It is a warning where two public programs of different packages meet by the names in their code alone, which may be by chance. Nothing is
+said of an input for which params of the node switch on a file (`use_pcd_map: true` and a `map_path` for `map`).
+
 ## Why it matters
 
 ROS compares the MD5 sums of the two definitions and refuses the connection: no message ever arrives, while the
@@ -52,7 +55,10 @@ from collections.abc import Callable, Iterator, Sequence
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
 from launchlint.late import late
+from launchlint.library.shipped import is_in_library
+from launchlint.library.template import is_template, parse
 from launchlint.model import ROS2
+from launchlint.rules.judging.given_by_file import is_given_by_file
 from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
@@ -82,11 +88,11 @@ def check(view: GraphView) -> Iterator[Finding]:
     """Look at every name that nodes of both sides certainly have."""
     if view.dialect.name == ROS2:
         for channel in view.graph.channels.values():
-            for offer, use in _mismatches(channel, _have_one_name):
+            for offer, use in _mismatches(channel, view, _have_one_name):
                 yield _finding(channel, offer, use, view, alike=False, effect=_WHAT_HAPPENS_2[channel.kind])
         return
     for channel in view.graph.channels.values():
-        for offer, use in _mismatches(channel, may_be_alike):
+        for offer, use in _mismatches(channel, view, may_be_alike):
             known = bool(offer.declaration.md5 and use.declaration.md5)
             alike = not known and are_written_alike(offer.type, use.type, channel.kind, view.packages, view.launch.entry.file)
             if not alike:
@@ -98,7 +104,7 @@ def _have_one_name(left: str, right: str, *_: str) -> bool:
     return left == right
 
 
-def _mismatches(channel: Channel, are_alike: Callable[[str, str, str, str], bool]) -> Iterator[tuple[Endpoint, Endpoint]]:
+def _mismatches(channel: Channel, view: GraphView, are_alike: Callable[[str, str, str, str], bool]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """One pair of ends for each pair of types that cannot talk to each other."""
     if not channel.offers or not channel.uses:
         return
@@ -110,7 +116,7 @@ def _mismatches(channel: Channel, are_alike: Callable[[str, str, str, str], bool
             if are_alike(offered, used, offered_md5, used_md5):
                 continue
             pair = next(((giver, taker) for giver in givers[:2] for taker in takers[:2] if giver.node != taker.node), None)
-            if pair is not None:
+            if pair is not None and not is_given_by_file(pair[1], view.once(owners)[id(pair[1])], view.graph.parameters):
                 yield pair
 
 
@@ -141,7 +147,7 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
     found = RULE.at(
         acting_origin(acting, mine),
         f"{giver.name} {TALKS[offer.role]} {channel.name} as {offer.type}, but {taker.name} {TALKS[use.role]} it as {use.type}",
-        severity=Severity.INFO if old else Severity.WARNING if copies else None,
+        severity=Severity.INFO if old else Severity.WARNING if copies or _meet_by_chance(offer, use, view) else None,
         label=f"{acting.type} here",
         related=((node_origin(theirs).place, f"{theirs.name} {TALKS[other.role]} it as {other.type}"),),
         notes=tuple(notes),
@@ -166,6 +172,21 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
 
     for several in alike(findings, other):
         yield joined(several) if len(several) > 1 else several[0]
+
+
+def _meet_by_chance(offer: Endpoint, use: Endpoint, view: GraphView) -> bool:
+    """Whether two public programs of different packages have a name in common that nothing gave to them: that of the code of each."""
+    packages = {view.once(owners)[id(end)].program.partition("/")[0].partition("::")[0] for end in (offer, use)}
+    as_said = not any(end.applied or end.is_read_here or not _is_as_coded(end) for end in (offer, use))
+    return as_said and len(packages) > 1 and all(is_in_library(each, view.dialect.name) for each in packages)
+
+
+def _is_as_coded(end: Endpoint) -> bool:
+    """Whether the name is what it is where neither args nor params say another one."""
+    if not is_template(end.declaration.name):
+        return True
+    defaults = [(part,) if isinstance(part, str) else part.default or () for part in parse(end.declaration.name)]
+    return end.declared == "".join(text for each in defaults for text in each if isinstance(text, str))
 
 
 def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:

@@ -126,6 +126,7 @@ class Examples:
                 same = self._owners[id(gives)].program == self._owners[id(giver)].program
                 alike = same and self._are_alike(giver, gives) and _change_alike((giver, gives), (taker, takes))
                 alike = alike and (is_known(taker.type) or gives.declared == giver.declared)  # who takes any type takes any of them
+                alike = alike and (taker.node != takes.node or _is_named_for(giver, taker))
                 if gives.node != takes.node and alike and gives.name != giver.name:
                     return f"{takes.node} and {gives.node} meet on {takes.name} as these two do not"
         return ""
@@ -175,6 +176,15 @@ def _change_alike(givers: tuple[Endpoint, Endpoint], takers: tuple[Endpoint, End
         return True
     given, taken = ([set(_SEPARATORS.split(each.declared.lstrip("~/"))) for each in pair] for pair in (givers, takers))
     return [given[0] - given[1], given[1] - given[0]] == [taken[0] - taken[1], taken[1] - taken[0]]
+
+
+def _is_named_for(giver: Endpoint, taker: Endpoint) -> bool:
+    """Whether a name of one word, beside which its node hears others of that type, is one that the other end has, too.
+
+    Else the two are of one type and mean different things: a cloud of obstacles is not the map, though a filter gives both of two clouds.
+    """
+    words = _SEPARATORS.split(taker.declared.lstrip("~/"))
+    return len(words) > 1 or not {words[0], *_SEPARATORS.split(taker.name)[-1:]}.isdisjoint(_SEPARATORS.split(f"{giver.node}{giver.name}"))
 
 
 class _Remaps(NamedTuple):

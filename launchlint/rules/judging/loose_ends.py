@@ -18,6 +18,7 @@ from launchlint.library.shipped import is_in_library
 from launchlint.model import ROS2
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.examples import Examples
+from launchlint.rules.judging.given_by_file import is_to_be_met
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.judging.one_sided import Others, Shown, given_and_taken, is_as_said, is_one_sided, signed, speak_alike, types
@@ -88,7 +89,7 @@ class LooseEnds:
             ends = [
                 end
                 for end in (channel.offers if offers else channel.uses)
-                if end.certain and not end.action and self._candidates(kind, not offers, end.type)
+                if is_to_be_met(end, self.owners[id(end)], self.graph.parameters) and self._candidates(kind, not offers, end.type)
             ]
             if ends and (doubts := self._beside(channel, offers=offers)) is not None:
                 found = [missed for end in ends if (missed := self._meant(end, doubts)) is not None]
@@ -135,7 +136,7 @@ class LooseEnds:
             ends = [
                 each
                 for each in (channel.uses if offers else channel.offers)
-                if each.certain and not each.action and each.node != end.node and speak_alike(end, each)
+                if each.node != end.node and speak_alike(end, each) and is_to_be_met(each, self.owners[id(each)], self.graph.parameters)
             ]
             if ends and channel.name != end.name:
                 ranked.setdefault(relation(end.name, channel.name), []).append((channel, ends))
