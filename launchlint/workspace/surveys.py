@@ -36,6 +36,16 @@ def list_naming(packages: Packages, name: str) -> str:
     return packages.once(_sources).get(folded(name), "")
 
 
+@question
+def list_like(packages: Packages, name: str) -> str:
+    """As :func:`list_naming`, whatever stands between the words: ``lidar_slam`` is ``lidarslam``."""
+    return packages.once(_sources_like).get(folded(name).replace("_", ""), "")
+
+
+def _sources_like(packages: Packages) -> Mapping[str, str]:
+    return {name.replace("_", ""): file for name, file in packages.once(_sources).items()}
+
+
 def _sources(packages: Packages) -> Mapping[str, str]:
     from launchlint.workspace.source_lists import read_source_lists
 

@@ -159,23 +159,38 @@ def _is_below(one: Any, other: Any) -> bool:
 def never_declared(rule: Rule, view: GraphView) -> Iterator[Finding]:
     """Params that are given to a node that is known to declare no such param, and that it ignores without a word."""
     for instance in view.graph.instances:
-        node = instance.node
-        sure = instance.certain and not instance.undeclared and instance.client in _CLIENTS and not instance.may_have_more("params")
-        if not node.own or not sure or any(each.declaration.transport for each in instance.endpoints):
+        if instance.may_have_more("params"):
             continue
-        declared = _declared(instance)
+        declared, others = not_declared(instance)
         slips: dict[Origin, list[tuple[str, str]]] = {}
-        for name in node.own:
-            origin = node.own_origins.get(name)
-            if origin is None or name in node.own_shared or name in declared or name in _EVERYWHERE or name.startswith(_OVERRIDES):
-                continue
-            near = closest(name, [each for each in declared if each not in node.own])
+        for name, origin in others.items():
+            near = closest(name, declared)
             if near is not None:
                 slips.setdefault(origin, []).append((name, near))
                 continue
-            yield _undeclared(rule, instance, origin, [(name, "")], sorted(declared))
+            yield _undeclared(rule, instance, origin, [(name, "")], sorted(_declared(instance)))
         for origin, several in slips.items():  # those of one dictionary, which is one place
-            yield _undeclared(rule, instance, origin, several, sorted(declared))
+            yield _undeclared(rule, instance, origin, several, sorted(_declared(instance)))
+
+
+def not_declared(instance: Instance) -> tuple[list[str], Mapping[str, Origin]]:
+    """The params that a node of ROS 2 declares and is not given, and those that it is given and does not declare, with their places.
+
+    By what is known of it: of sources that were read some may have been missed.
+    """
+    node = instance.node
+    sure = instance.certain and not instance.undeclared and instance.client in _CLIENTS
+    sure = sure and not any(each.category == "params" for each in instance.doubts)
+    if not node.own or not sure or any(each.declaration.transport for each in instance.endpoints):
+        return [], {}
+    declared = _declared(instance)
+    others: dict[str, Origin] = {}
+    for name in node.own:
+        origin = node.own_origins.get(name)
+        known = name in node.own_shared or name in declared or name in _EVERYWHERE or name.startswith(_OVERRIDES)
+        if origin is not None and not known:
+            others[name] = origin
+    return [each for each in declared if each not in node.own], others
 
 
 def _undeclared(rule: Rule, instance: Instance, origin: Origin, names: list[tuple[str, str]], declared: list[str]) -> Finding:

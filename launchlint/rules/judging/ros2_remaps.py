@@ -10,6 +10,7 @@ from launchlint.graph.names import Applied, kind
 from launchlint.machinery import LIFECYCLE_SERVICES, PARAMETER_SERVICES
 from launchlint.named_tuple import NamedTuple
 from launchlint.plural import listed
+from launchlint.rules.judging.other_version import may_be_another_version
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
@@ -45,7 +46,8 @@ def misses(view: GraphView) -> tuple[list[Miss], list[Origin]]:
     fine: dict[tuple[str, int], Origin] = {}
     found: dict[tuple[str, int], Miss] = {}
     for instance in view.graph.instances:
-        names = _names(instance)
+        names = _names(instance) if instance.node.remaps else None
+        names = None if names is None or may_be_another_version(instance, view) else names
         table = {id(applied.rule.remap): applied for applied in instance.namer.remappings.values()}
         for remap in instance.node.remaps:
             applied = table.get(id(remap))

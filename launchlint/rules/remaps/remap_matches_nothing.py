@@ -20,6 +20,10 @@ All remaps of a program for which nothing better is known than that it has no su
 a file, and the same remap of the
 same program in several files.
 
+Nothing is said of a public program whose package, or the repository that it is known from, a `.repos`, `.rosinstall` or `.gitmodules`
+of the workspace names: it is another version that is built there, or another fork. So it is in ROS 2 where the node is given a param that
+the program is not known to declare, and that is no slip.
+
 In ROS 2 a remap acts on topics and services; that of a global name which the node has in a namespace is told by LL948. It is an info for
 the clock of a node that runs on the time of the machine.
 
@@ -71,6 +75,7 @@ from launchlint.rules.judging.joined import alike, joined
 from launchlint.rules.judging.name_places import is_inside
 from launchlint.rules.judging.of_rosbuild import SINCE, is_of_rosbuild
 from launchlint.rules.judging.other_file import root_of
+from launchlint.rules.judging.other_version import may_be_another_version
 from launchlint.rules.judging.own_names import OwnNames, own_names
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
@@ -126,7 +131,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     for instance in view.graph.instances:
         if not instance.node.remaps and not instance.namer.remappings:
             continue
-        names = view.fact(instance, own_names)
+        names = None if may_be_another_version(instance, view) else view.fact(instance, own_names)
         table = instance.namer.remappings.values()
         acting = set() if names is None else {id(applied.rule.remap) for applied in table}
         for remap in instance.node.remaps:
