@@ -173,6 +173,13 @@ INTERFACES = {
         publishers ~x std_msgs/msg/String reliable/volatile/keep_last/{param:~size|5}
         """,
     ),
+    "a name from a param whose default is a constant of elsewhere": (
+        'create_publisher<std_msgs::msg::String>(declare_parameter<std::string>("topic", elsewhere::TOPIC), 1);',
+        """
+        params ~topic string declared
+        publishers {param:~topic|{any}} std_msgs/msg/String reliable/volatile/keep_last/1
+        """,
+    ),
     "a param read into a variable": (
         (
             'std::string name; declare_parameter("name", rclcpp::PARAMETER_STRING); get_parameter("name", name);'
@@ -308,7 +315,8 @@ def test_interfaces(name: str, tmp_path: Path) -> None:
     more = "message_filters::Subscriber<sensor_msgs::msg::LaserScan> sub_;" if name == "a filter" else ""
     facts, doubts, nodes = follow(tmp_path, node(body, more))
     assert [spelled(each) for each in facts] == lines(expected)
-    assert [each.category for each in doubts] == (["params"] if name == "images" else [])
+    open_ = ["params"] if name == "images" else ["publishers"] if name.endswith("a constant of elsewhere") else []
+    assert [each.category for each in doubts] == open_
     assert [(each.name, each.key) for each in nodes] == [("talker", "")]
 
 

@@ -23,6 +23,7 @@ PARAMS = {
     "ros::param::get": ('bool b;\nros::param::get("b", b);', "params b bool 4"),
     "negative": ('pnh.param("n", n, -5);', "params ~n int 3 default=-5"),
     "constant": ('const double LIMIT = 2.5;\npnh.param("n", n, 2 * LIMIT);', "params ~n double 4 default=5.0"),
+    "a constant of elsewhere": ('std::string s;\npnh.param("s", s, elsewhere::TOPIC);', "params ~s str 4"),
     "not a constant": ('double n;\npnh.param("n", n, compute());', "params ~n double 4"),
 }
 
@@ -38,6 +39,14 @@ def test_param(tmp_path: Path, name: str) -> None:
 NAMES = {
     "of a param": ('std::string t;\npnh.param<std::string>("topic", t, "scan");', "{param:~topic|scan}"),
     "of a param without default": ('std::string t;\npnh.getParam("topic", t);', "{param:~topic}"),
+    "of a param with a constant of elsewhere": (
+        'std::string t;\npnh.param<std::string>("topic", t, elsewhere::TOPIC);',
+        "{param:~topic|{any}}",
+    ),
+    "of a param that gives a constant of elsewhere": (
+        'auto t = pnh.param<std::string>("topic", elsewhere::TOPIC);',
+        "{param:~topic|{any}}",
+    ),
     "of a param over a value": ('std::string t = "scan";\npnh.getParam("topic", t);', "{param:~topic|scan}"),
     "of a param, else a constant": ('std::string t;\nif (!pnh.getParam("topic", t)) t = "scan";', "{param:~topic|scan}"),
     "of a param with something behind": ('std::string t = pnh.param<std::string>("ns", "a") + "/b";', "{param:~ns|a}/b"),

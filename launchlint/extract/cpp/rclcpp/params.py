@@ -86,7 +86,8 @@ def named(name: Value) -> Value:
 
 def declare(handle: Handle, asked: Call) -> Value:
     """``declare_parameter<T>(name, default, descriptor)``, ``declare_parameter(name, type, descriptor)``."""
-    return declared(asked, handle, asked.value(0), asked.value(1), asked.value(2), len(asked.arguments) > 1)
+    default = params.given_default(asked, 1, asked.types[0] if asked.types else UNTYPED)
+    return declared(asked, handle, asked.value(0), default, asked.value(2), len(asked.arguments) > 1)
 
 
 def declared(asked: Call, node: Value, name: Value, default: Value, descriptor: Value, given: bool = True) -> Value:

@@ -132,9 +132,12 @@ def param(handle: Handle, asked: Call) -> Value:
     name = params.named(handle, asked.value(0))
     explicit_type = asked.types[0] if asked.types else UNTYPED
     if len(asked.arguments) >= 3:
-        return params.into(asked, name, asked.cell(1), asked.value(2), False, explicit_type)
+        held = asked.cell(1)
+        text = explicit_type if explicit_type.name or held is None else held.type
+        return params.into(asked, name, held, params.given_default(asked, 2, text), False, explicit_type)
     cell = asked.cell(1)
-    return params.read(asked, name, asked.value(1), explicit_type if explicit_type.name or cell is None else cell.type)
+    text = explicit_type if explicit_type.name or cell is None else cell.type
+    return params.read(asked, name, params.given_default(asked, 1, text), text)
 
 
 def get_param(handle: Handle, asked: Call) -> Value:

@@ -83,6 +83,18 @@ def default_of(value: Value, kind: str) -> Any:
     return None
 
 
+def given_default(asked: Call, position: int, type_: Type) -> Value:
+    """The default that stands at a position; any text for a constant of elsewhere, as ``mav_msgs::default_topics::ODOMETRY`` is.
+
+    Where it is not known and none at all, a name made of the param would not be there as long as the param is not set.
+    """
+    value = asked.value(position)
+    node = asked.arguments[position].node if position < len(asked.arguments) else None
+    if not isinstance(value, Unknown) or node is None or node.kind != "qualified_identifier":
+        return value
+    return Text(ANY) if value_type(asked, type_) == "str" else value
+
+
 def read(asked: Call, name: Value, default: Value, type_: Type, keep: bool = False) -> Value:
     """Note that a param is read, and give the value that stands for it.
 
