@@ -24,6 +24,7 @@ NAMED = "{} is called as a public package, and says that it is from elsewhere: t
 BESIDE = "{} says whose it is, and they made none of the packages here that are left as a template: that is where to mend it"
 SIGNED = "{} has a licence, of people who made none of the packages here that have none: that is where to mend it"
 KNOWN = "{} is one of the packages that people copy into their workspaces: what was not changed here is to be mended where it is from"
+MADE = "{} is of people whose packages are copied, under another name here: what was not changed here is to be mended where it is from"
 RENAMED = "{} is a copy of the public package {} under another name, by what its package.xml says, and that is where to mend it"
 GENERATED = "the setup assistant of CHAMP wrote {}, and would again"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
@@ -34,18 +35,24 @@ _ENDS = (".launch", ".xml", ".test", ".py", ".yaml", ".yml")
 """Of launch files, and of what they load."""
 _UNTIDY = frozenset(("LL111", "LL115", "LL206", "LL210", "LL303", "LL411", "LL504", "LL507", "LL508", "LL601", "LL623", "LL702"))
 """By their IDs: in most runs none of these modules has to be loaded for this. LL701 says it itself, since it proposes a line."""
+_OF_NAMES = frozenset(("LL210", "LL303"))
+"""What calls a package by a name that it has not."""
+_LOOSE = frozenset(("LL612", "LL613", "LL614"))
+"""Names that meet nobody, in launch files of a copy alone: it may be joined elsewhere, or nobody there needs it."""
 
 
 class _Origin(NamedTuple):
     """Whose copy a package is, in words (empty: nobody's); the directory that was copied, where that is certain; whether it is public.
 
     ``own``: the packages that people made here; a launch file of the copy that names one was written or changed here, too.
+    ``is_changed``: it was given another name here, so that what is said of names of packages may come of that.
     """
 
     note: str
     directory: str = ""
     is_public: bool = False
     own: frozenset[str] = frozenset()
+    is_changed: bool = False
 
 
 _OWN = _Origin("")
@@ -63,7 +70,11 @@ def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Find
             origin = origins.of(finding.location.path)
             if (
                 origin.note
-                and (untidy or (origin.directory and origins.alone_lead_to(finding, origin)))
+                and (
+                    (untidy and not (origin.is_changed and finding.rule in _OF_NAMES))
+                    or (origin.directory and origins.alone_lead_to(finding, origin))
+                    or (finding.rule in _LOOSE and origins.has_of_itself(finding, origin))
+                )
                 and not origins.adapted(finding.location.path, origin)
             ):
                 finding = _milder(finding, origin)
@@ -114,6 +125,19 @@ class _Origins:
             self._known.file(path).startswith(f"{origin.directory}/") or (origin.is_public and self.of(path).is_public) for path in paths
         )
 
+    def has_of_itself(self, finding: Finding, origin: _Origin) -> bool:
+        """Whether a launch file of the copy leads to names that meet nobody, and all launch files concerned are of it.
+
+        That others here include it as well changes nothing of that.
+        """
+        package = self._known.packages.package_of(self._known.file(finding.location.path))
+        inside = f"{origin.directory or (package.directory if package is not None else '')}/"
+        concerned = (finding.location.path, *(each.location.path for each in finding.related if each.location.path.endswith(_ENDS)))
+        reached = self._known.reached.get(finding.key, ())
+        if not any(self._known.file(path).startswith(inside) for path in reached):
+            return False
+        return all(self._known.file(path).startswith(inside) for path in concerned)
+
 
 def told_together(findings: Sequence[Finding]) -> Finding:
     """One for all that is refused in one project: how much that is, with the places."""
@@ -147,6 +171,7 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         is_copy,
         is_from_elsewhere,
         is_generated,
+        is_of_copied_people,
         is_released,
         is_renamed,
         is_signed,
@@ -175,4 +200,6 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         return _Origin(NAMED.format(package.name), own=left_as_made(package, packages))
     if is_signed(package, packages):
         return _Origin(SIGNED.format(package.name), package.directory, own=left_as_made(package, packages))
+    if is_of_copied_people(package, packages):
+        return _Origin(MADE.format(package.name), own=left_as_made(package, packages), is_changed=True)
     return _OWN

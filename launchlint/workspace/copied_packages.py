@@ -14,6 +14,8 @@ from launchlint.workspace.public_packages import PublicPackages
 
 _COPIED = PublicPackages(os.path.join(os.path.dirname(os.path.abspath(__file__)), "copied_packages.txt"))
 _LENGTH = 8
+_SEVERAL = 3
+"""Packages in the list that show that their people are those whose packages are copied: two more may have the name of another one."""
 
 
 def mark(name: str, people: Iterable[str]) -> str:
@@ -27,3 +29,15 @@ def is_copied(name: str, people: Iterable[str]) -> bool:
     """Whether the package ``name`` of ``people`` is in the list; one of nobody is in none."""
     marks = _COPIED.get(name)
     return marks is not None and mark(name, people) in marks
+
+
+def are_copied(people: frozenset[str]) -> bool:
+    """Whether several packages in the list are of ``people``: then one under another name may be one of these, renamed."""
+    if not people:
+        return False
+    found = 0
+    for name, marks in _COPIED.items():
+        found += mark(name, people) in marks
+        if found >= _SEVERAL:
+            return True
+    return False

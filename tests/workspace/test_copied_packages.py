@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from launchlint.workspace.copied_packages import is_copied, mark
+from launchlint.workspace.copied_packages import are_copied, is_copied, mark
 from launchlint.workspace.public_packages import PublicPackages
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -23,6 +23,13 @@ def test_a_package_is_known_by_its_name_and_whose_it_is() -> None:
     assert not is_copied("sllidar_ros2", {"ros@slamtec.com", "me@my-robot.org"})
     assert not is_copied("sllidar_ros2", ())
     assert not is_copied("sllidar_ros3", {"ros@slamtec.com"})
+
+
+def test_people_are_known_by_several_packages() -> None:
+    assert are_copied(frozenset({"support@franka.de"}))
+    assert not are_copied(frozenset({"ros@slamtec.com"}))  # of two
+    assert not are_copied(frozenset({"support@franka.de", "me@my-robot.org"}))
+    assert not are_copied(frozenset())
 
 
 def test_a_mark_depends_on_all_people_and_on_no_order() -> None:

@@ -9,11 +9,11 @@ from __future__ import annotations
 import posixpath
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from functools import partial
+from functools import cached_property, partial
 
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
-from launchlint.workspace.copied_packages import is_copied
+from launchlint.workspace.copied_packages import are_copied, is_copied
 from launchlint.workspace.looking import Looked, is_file, names, note, question, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
@@ -150,6 +150,20 @@ def is_well_known(home: Package, packages: Packages) -> bool:
     return packages.answer(_answers_has_own, home.directory)
 
 
+def is_of_copied_people(home: Package, packages: Packages) -> bool:
+    """Whether ``home`` is of people of whom several packages are known that others copy, in a workspace of others: it was renamed.
+
+    Most packages around it are none of theirs, and of those people, too, who make their own here, there are packages.
+    """
+    return packages.answer(_answers_of_copied_people, home.manifest_path)
+
+
+@question
+def _answers_of_copied_people(packages: Packages, manifest_path: str) -> bool:
+    home = packages.with_manifest(manifest_path)
+    return home is not None and home.manifest is not None and packages.once(_Workspaces).around(home.directory).has_copied(home.manifest)
+
+
 @question
 def _answers_has_own(packages: Packages, directory: str) -> bool:
     return packages.once(_Workspaces).around(directory).has_own
@@ -250,7 +264,7 @@ class _Workspaces:
 class _Workspace:
     """Whose the packages of one workspace are. ``left_as_made``: how many have nobody's name but what the template has.
 
-    ``left``: the names of those without a licence; ``words_left_as_made``: the words in the names of their people.
+    ``words_left_as_made``: the words in the names of the people of those without a licence.
     ``has_own``: at least one is of people of whom no package is here that is known to be copied; where most packages are, as in a public
     project itself, several are, of people who say who they are: what is not in the list of such a project is left as a template made it.
     """
@@ -273,12 +287,27 @@ class _Workspace:
         self.left_as_made = sum(is_left_as_made(manifest.people) for _, _, manifest in self._known)
         bare = [each for _, _, each in self._known if is_left_as_made(each.people) and not _is_licensed(each)]
         self.words_left_as_made = frozenset[str]().union(*map(_words, bare))
-        self.left = frozenset(each.name for each in bare)
+        self._bare = bare
+        self._copied_people: dict[frozenset[str], bool] = {}
         copied = [manifest for _, _, manifest in self._known if is_copied(manifest.name, manifest.people)]
         theirs = everybody(copied)
         own = [manifest.people for _, _, manifest in self._known if manifest.people and manifest.people.isdisjoint(theirs)]
         few = 2 * len(copied) <= len(self._known)  # in a public project itself nearly all are in the list
         self.has_own = bool(copied and own) and (few or sum(map(_say_who_they_are, own)) >= SOME)
+
+    @cached_property
+    def left(self) -> frozenset[str]:
+        """The names of the packages that are left as the template made them, but for those of people whose packages others copy."""
+        return frozenset(each.name for each in self._bare if not is_copied(each.name, each.people) and not self.has_copied(each))
+
+    def has_copied(self, manifest: Manifest) -> bool:
+        """Whether the people of ``manifest`` are known for packages that others copy, and have made few of those here."""
+        people = manifest.people
+        if people not in self._copied_people:
+            self._copied_people[people] = (
+                self.has_own and mostly_others((each for _, _, each in self._known), people) and are_copied(people)
+            )
+        return self._copied_people[people]
 
     def are_few(self, manifest: Manifest) -> bool:
         """Whether no more packages have the people or the repository of ``manifest`` than have not."""
