@@ -4,7 +4,7 @@ What it does: it looks at the resolved `name` of nodes and tests. A slash or a l
 the file; a slash is a warning where args make the name and it takes another value than a default, and an info where a comment of the
 file names that arg, as one that has to be given then. Other characters than letters, digits
 and `_`, a digit at the start, and an empty name are warnings; infos where the name is made of an arg with an empty default, or of one
-whose default a condition around the node tells apart.
+whose default a condition around the node tells apart, and where the program is a test in Python that makes no node, so that nobody uses it.
 
 ## Why it matters
 
@@ -43,14 +43,19 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, add_attribute, fix, is_literal, set_value, spot
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in, meant_substitution
+from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.syntax.parts import Substitution
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Element
+from launchlint.workspace.looking import content
 
 _SOURCES = (".py", ".cpp", ".cc", ".c", ".sh")
 _REQUIRED = "the arg {} has an empty default: whoever includes this file gives it"
+
+_MAKE_A_NODE = (b"init_node", b"roscpp_init")
+"""What makes a node in Python."""
 
 RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -100,15 +105,17 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
         wanted = "is not a valid ROS name" if own else "(its test-name) is not a valid ROS name"
         required = _left_empty(problem, view)
         apart = "" if required else _told_apart(problem, view)
+        idle = _makes_no_node(problem, view)
         yield RULE.at(
             problem.origin,
             f"the node name {name!r} {wanted}",
-            severity=Severity.INFO if required or apart else Severity.WARNING,
+            severity=Severity.INFO if required or apart or idle else Severity.WARNING,
             label=_fault(name),
             notes=(
                 "a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",
                 *([_REQUIRED.format(required)] if required else []),
                 *([f"a condition around it tells {apart} apart, which stands for no name"] if apart else []),
+                *([f"{idle} makes no node, so that nobody may use the name"] if idle else []),
             ),
             help=f"write {meant}, which is replaced by what it stands for"
             if meant
@@ -170,6 +177,23 @@ def _told_apart(problem: InvalidNodeName, view: LaunchView) -> str:
                 return f"the default {default!r} of the arg {arg}"
         each = each.parent
     return ""
+
+
+def _makes_no_node(problem: InvalidNodeName, view: LaunchView) -> str:
+    """The program of a ``<test>``, where that is a script in Python that does not start a node itself: then rostest alone knows the name.
+
+    It starts none where nothing in it calls rospy.init_node, or what does so in its place (moveit_commander.roscpp_initialize).
+    """
+    at = spot(view, problem.place)
+    if at is None or at.element.tag != "test":
+        return ""
+    package = view.packages.get(at.element.get("pkg") or "", view.launch.entry.file)
+    name = at.element.get("type") or ""
+    program = None if package is None else contents(view.packages).executables(package).by_name.get(name)
+    text = None if program is None or program.path is None else content(program.path)
+    if text is None or not (name.endswith(".py") or b"python" in text.partition(b"\n")[0]):
+        return ""
+    return "" if any(word in text for word in _MAKE_A_NODE) else name
 
 
 def _empty(view: LaunchView) -> frozenset[str]:
