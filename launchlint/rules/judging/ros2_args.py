@@ -126,6 +126,11 @@ _HOMES = ("/home/", "/Users/", "/root/", "/opt/ros/")
 """Where files lie of one person, and of an installed ROS: LL406 tells such paths, and that machine has the file."""
 
 
+def _is_elsewhere(file: str, view: LaunchView) -> bool:
+    """Whether it lies in somebody's home, or in a directory that a container of the workspace has (LL406)."""
+    return file.startswith(_HOMES) or f"/{file.split('/')[1]}" in view.packages.container_directories()
+
+
 def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: LaunchView) -> Iterator[Finding]:
     """An included file that is not there."""
     from launchlint.workspace.ament.shares import may_be_installed
@@ -162,7 +167,7 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
     left = leads_out(file, problem.place, view.packages)
     if left:
         notes.append(where(left))
-    outside = file.startswith(_HOMES) and not is_inside(file, (*view.packages.workspaces, root_of(source) or "/nowhere"))
+    outside = not relative and not is_inside(file, (*view.packages.workspaces, root_of(source) or "/nowhere")) and _is_elsewhere(file, view)
     elsewhere = (
         left or outside or (relative and source.path.endswith(".py"))
     )  # people start such files from the workspace they are made for

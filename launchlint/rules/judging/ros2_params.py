@@ -206,5 +206,10 @@ def _undeclared(rule: Rule, instance: Instance, origin: Origin, names: list[tupl
         notes=(f"{instance.program} declares {shown}" if declared else f"{instance.program} declares no params",),
         help=f"did you mean {meant}?" if meant else "leave it out",
         topic=f"{instance.program} {given_}",
-        cause=f"{instance.program} {given_}",
+        cause=f"{instance.program} {origin.place.source.path} separators" if _in_other_words(names) else f"{instance.program} {given_}",
     )
+
+
+def _in_other_words(names: list[tuple[str, str]]) -> bool:
+    """Whether all that is wrong with the names is what stands between their words: ``costmap_plugins`` for ``costmap.plugins``."""
+    return all(near and name.replace("_", ".") == near.replace("_", ".") for name, near in names)

@@ -63,7 +63,7 @@ def tell(problem: NoDescription | NotAnAction, view: object) -> Iterator[Finding
         return
     message, advice, note = _said(problem)
     # A program that calls the function itself, as tests do, is not made for ros2 launch.
-    if problem.form == "missing" and not problem.place.source.text.strip():
+    if problem.form == "missing" and _is_empty(problem.place.source.text):
         yield RULE.at(
             problem.origin,
             "the launch file is empty",
@@ -76,6 +76,11 @@ def tell(problem: NoDescription | NotAnAction, view: object) -> Iterator[Finding
     text = problem.place.source.text
     own = "__main__" in text and (problem.form == "arguments" or (problem.form == "missing" and not _LAUNCH.search(text)))
     yield RULE.at(problem.origin, message, severity=Severity.INFO if own else level(problem), notes=stops(note), help=advice)
+
+
+def _is_empty(text: str) -> bool:
+    """Whether there is nothing in a launch file but what says what it is to become."""
+    return all(not line or line.startswith("#") for line in map(str.strip, text.splitlines()))
 
 
 def _said(problem: NoDescription) -> tuple[str, str, str]:

@@ -82,6 +82,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
             help=f"add its name to the node_names of {managers[0].name}"
             if managers
             else "start a nav2_lifecycle_manager with autostart and its name in node_names, or have launch change its state",
+            cause=f"{node_origin(instance).place.source.path} inactive",
         )
 
 

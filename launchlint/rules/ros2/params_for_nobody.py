@@ -88,5 +88,5 @@ def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
             *([f"they do where the launch file is included with the namespace {around} pushed"] if included else []),
         ),
         help=f"did you mean {node}?" if problem.near == "spelling" else f"write {node}{every}",
-        cause=f"{problem.file} namespace" if problem.near == "namespace" else f"{problem.file} {key}",
+        cause=f"{problem.file.rpartition('/')[0]} namespace" if problem.near == "namespace" else f"{problem.file} {key}",
     )
