@@ -1,6 +1,6 @@
 """Whatever a repository holds: a clear finding or error, bounded time and memory, no traceback, nothing read or run that must not be.
 
-Each check is a process of its own with 1 GiB of address space and a minute of time.
+Each check is a process of its own with 1 GiB of address space and a minute of processor.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Copies of public packages, and of whole projects, among packages of other people: what is untidy there is for those to mend who maintain
 the original; and so is whatever is wrong in those launch files of a copy that nothing outside of it leads to.
 
-What is refused in such a file of a project that may have been changed here, or not kept whole, is told once.
+What is refused in such a file of a project that may have been changed here, or not kept whole, is a warning; all of it is told once.
 """
 
 from __future__ import annotations
@@ -59,9 +59,9 @@ _OWN = _Origin("")
 
 
 def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
-    """``findings``, those in copies as infos, where they are untidy, or only launch files of the copy lead to them.
+    """``findings``, those in copies at a milder level, where they are untidy, or only launch files of the copy lead to them.
 
-    The errors in one project that is not public are one.
+    Then warnings are infos, and errors are, too, in copies of public packages; in other projects these are warnings of one cause.
     """
     origins = _Origins(known)
     for finding in findings:
@@ -159,7 +159,7 @@ def told_together(findings: Sequence[Finding]) -> Finding:
 def _milder(finding: Finding, origin: _Origin) -> Finding:
     notes = (*finding.notes, origin.note)
     if finding.severity is Severity.ERROR and not origin.is_public:
-        return finding._replace(severity=Severity.INFO, notes=notes, cause=PREFIX + origin.directory)
+        return finding._replace(severity=Severity.WARNING, notes=notes, cause=PREFIX + origin.directory)
     return finding._replace(severity=Severity.INFO, notes=notes, cause=finding.cause and f"{finding.cause}; {origin.note}")
 
 

@@ -26,6 +26,7 @@ import traceback
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
+from math import ceil
 from pathlib import Path
 from select import select
 from typing import Any
@@ -34,7 +35,9 @@ import launchlint
 
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST = 120
-"""Seconds that a command may take."""
+"""Seconds of processor that a command may take."""
+PATIENCE = 5
+"""Seconds to wait for each of them: on a busy machine others are served, too."""
 
 
 @cache
@@ -84,12 +87,13 @@ class Forks:
             if program:
                 Path(place, "program.py").write_text(program, encoding="utf-8")
                 request["program"] = str(Path(place, "program.py"))
-            _write(self._requests, json.dumps({**request, "memory": memory}))
+            _write(self._requests, json.dumps({**request, "memory": memory, "processor": ceil(seconds)}))
             process = _line(self._answers, None)
-            status = _line(self._answers, seconds)
+            status = _line(self._answers, PATIENCE * seconds)
             if status is None:
                 os.kill(int(str(process)), signal.SIGKILL)
                 _line(self._answers, None)
+            if status is None or int(status) == -signal.SIGXCPU:
                 raise subprocess.TimeoutExpired(["launchlint", *words], seconds)
             return int(status), streams[1].read_bytes(), streams[2].read_bytes()
 
@@ -132,6 +136,7 @@ def _execute(request: Mapping[str, Any]) -> int:
         os.close(stream)
     if request["memory"]:
         resource.setrlimit(resource.RLIMIT_AS, (request["memory"], request["memory"]))
+    resource.setrlimit(resource.RLIMIT_CPU, (request["processor"], request["processor"] + 1))
     sys.argv = ["launchlint", *request["words"]]
     sys.path[0] = request["directory"]
     status = 0
