@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.graph.connections import Instance
-from launchlint.rules.judging.ros2_params import not_declared
+from launchlint.model import ROS2
 from launchlint.rules.view import GraphView
 from launchlint.spelling import closest
 from launchlint.workspace.surveys import list_like
@@ -22,6 +22,10 @@ def may_be_another_version(instance: Instance, view: GraphView) -> bool:
         return False
     if any(list_like(view.packages, name) for name in sorted({instance.node.package, *repositories})):
         return True
+    if view.dialect.name != ROS2:
+        return False
+    from launchlint.rules.judging.ros2_params import not_declared
+
     declared, others = not_declared(instance)
     return any(closest(name, declared) is None for name in others)
 
