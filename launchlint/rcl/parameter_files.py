@@ -79,7 +79,7 @@ def add_events(given: Iterable[Event], source: Source, table: Table) -> Refused 
 class _Reading:
     """Where rcl stands in a file.
 
-        ``in_parameters``: below ``ros__parameters``. ``nested``: the last list was the first in another one. ``node`` and ``namespace`` are
+    ``in_parameters``: below ``ros__parameters``. ``nested``: the last list was the first in another one. ``node`` and ``namespace`` are
     names that grow part by part; each knows by a count of its own of how many keys it is made, and rcl takes them back by looking for the
     last separator, whether or not a key held one.
     """
