@@ -131,13 +131,11 @@ def param(handle: Handle, asked: Call) -> Value:
     """``param(name, variable, default)`` and ``param(name, default)``."""
     name = params.named(handle, asked.value(0))
     explicit_type = asked.types[0] if asked.types else UNTYPED
-    if len(asked.arguments) >= 3:
-        held = asked.cell(1)
-        text = explicit_type if explicit_type.name or held is None else held.type
-        return params.into(asked, name, held, params.given_default(asked, 2, text), False, explicit_type)
     cell = asked.cell(1)
-    text = explicit_type if explicit_type.name or cell is None else cell.type
-    return params.read(asked, name, params.given_default(asked, 1, text), text)
+    type_ = explicit_type if explicit_type.name or cell is None else cell.type
+    if len(asked.arguments) >= 3:
+        return params.into(asked, name, cell, params.given_default(asked, 2, type_), False, explicit_type)
+    return params.read(asked, name, params.given_default(asked, 1, type_), type_)
 
 
 def get_param(handle: Handle, asked: Call) -> Value:
