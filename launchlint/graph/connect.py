@@ -11,7 +11,7 @@ from functools import partial
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.command_line import CommandLine, command_line
-from launchlint.graph.connections import CATEGORY, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Reading
+from launchlint.graph.connections import CATEGORY, KINDS, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Reading
 from launchlint.graph.earlier import Earlier
 from launchlint.graph.frames import Frame, frames
 from launchlint.graph.instantiate import Interface, instantiate
@@ -68,11 +68,12 @@ def _graph(launch: Launch, instances: tuple[Instance, ...], parameters: Paramete
     readers: dict[str, list[Reading]] = {}
     for instance in instances:
         for endpoint in instance.endpoints:
-            key = (endpoint.kind, endpoint.name)
+            role = endpoint.role
+            key = (KINDS[role], endpoint.name)
             channel = channels.get(key)
             if channel is None:
                 channel = channels[key] = Channel(*key)
-            (channel.offers if endpoint.role in OFFERS else channel.uses).append(endpoint)
+            (channel.offers if role in OFFERS else channel.uses).append(endpoint)
         for reading in instance.readings:
             readers.setdefault(reading.name, []).append(reading)
     unseen = Unseen(launch, instances, parameters, earlier)

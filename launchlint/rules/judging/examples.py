@@ -49,6 +49,7 @@ class Examples:
     def __init__(self, view: GraphView, owners: Owners) -> None:
         self._view = view
         self._owners = owners
+        self._words: dict[str, list[str]] = {}
 
     def elsewhere(self, end: Endpoint, other: Endpoint) -> str:
         """What it says of a remap of one of the two that stands in another launch file of the workspace and would join them; else empty."""
@@ -147,11 +148,16 @@ class Examples:
         names must have a word in common.
         """
         if end.node == other.node:
-            words, others = _SEPARATORS.split(end.declared.lstrip("~/")), _SEPARATORS.split(other.declared.lstrip("~/"))
+            words, others = self._words_of(end), self._words_of(other)
             apart = sum(one != two for one, two in zip(words, others, strict=False))
             return len(words) == len(others) and apart == 1 and (len(words) > 1 or end.role not in OFFERS)
         said = end.declaration.name
         return end.declared == other.declared or (self._is_only_one(end, said) and self._is_only_one(other, said))
+
+    def _words_of(self, end: Endpoint) -> list[str]:
+        if end.declared not in self._words:
+            self._words[end.declared] = _SEPARATORS.split(end.declared.lstrip("~/"))
+        return self._words[end.declared]
 
     def _is_only_one(self, end: Endpoint, said: str) -> bool:
         """Whether ``said`` is what the code says for the name, and for no other one in that role; not where it takes any type."""

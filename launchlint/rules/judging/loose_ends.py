@@ -76,6 +76,7 @@ class LooseEnds:
         self._examples = Examples(view, self.owners)
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
+        self._to_be_met: dict[int, bool] = {}
         self._programs = Counter(instance.program for instance in self.graph.instances)
         self._started = {instance.name.rpartition("/")[2] for instance in self.graph.instances}
         self._compared = 0
@@ -89,12 +90,18 @@ class LooseEnds:
             ends = [
                 end
                 for end in (channel.offers if offers else channel.uses)
-                if is_to_be_met(end, self.owners[id(end)], self.graph.parameters) and self._candidates(kind, not offers, end.type)
+                if self._candidates(kind, not offers, end.type) and self._is_to_be_met(end)
             ]
             if ends and (doubts := self._beside(channel, offers=offers)) is not None:
                 found = [missed for end in ends if (missed := self._meant(end, doubts)) is not None]
                 if found:
                     yield min(found, key=lambda each: (-each.level, *self._apart(each.instance, each.partner), each.instance.name))
+
+    def _is_to_be_met(self, end: Endpoint) -> bool:
+        known = self._to_be_met.get(id(end))
+        if known is None:
+            known = self._to_be_met[id(end)] = is_to_be_met(end, self.owners[id(end)], self.graph.parameters)
+        return known
 
     def _sleeps(self, end: Endpoint) -> bool:
         """Whether it is there only while somebody hears its node, and nothing says that somebody is to: it has the name in the code.
@@ -136,7 +143,7 @@ class LooseEnds:
             ends = [
                 each
                 for each in (channel.uses if offers else channel.offers)
-                if each.node != end.node and speak_alike(end, each) and is_to_be_met(each, self.owners[id(each)], self.graph.parameters)
+                if each.node != end.node and speak_alike(end, each) and self._is_to_be_met(each)
             ]
             if ends and channel.name != end.name:
                 ranked.setdefault(relation(end.name, channel.name), []).append((channel, ends))
