@@ -12,8 +12,9 @@ from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, check_
 from launchlint.check.in_order import InOrder, grouped
 from launchlint.check.listing import Listing
 from launchlint.check.options import EntryRequest, Options
+from launchlint.check.other_ros_included import IncludesOfRos2
 from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody, without_tried
-from launchlint.check.verdict import judged, plainly
+from launchlint.check.verdict import ALL_RULES, judged, plainly
 from launchlint.dialects.door import configurations, evaluate, named
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.problems import IncludeMissingArg, IncludeUndeclaredArg, RequiredArgUnset, UndeclaredArg, UsedBeforeDeclaration
@@ -300,9 +301,13 @@ class EntryChecker:
             return
         before: Problem | None = None
         listing = Listing()
+        of_ros2 = IncludesOfRos2(evaluation, self.packages, self.options.rules)
         for problem in launch.problems:
-            for finding in tell(problem, view, self.options.rules, listing):
+            path = problem.place.source.path
+            elsewhere = of_ros2.has(path)
+            for finding in tell(problem, view, ALL_RULES if elsewhere else self.options.rules, listing):
                 said = put_right(finding, problem, before, launch, request.arguments)
+                said = of_ros2.instead_of(said, path) if elsewhere else said
                 yield self._at_home(said, evaluation, assumed=problem.assumed)
             if before is None and stops_everybody(problem, view):
                 before = problem
@@ -314,10 +319,10 @@ class EntryChecker:
             for found in listing.listed(run_rule(rule, view, launch.entry.path)):
                 if isinstance(found, Fine):
                     yield found
-                else:
+                elif not of_ros2.has(found.location.path):
                     yield self._at_home(said_of(put_right_later(found, before), switched), evaluation, assumed=False)
         if self.graph_rules and (launch.nodes or launch.tests or launch.parameter_settings):
-            yield from self._graph_findings(evaluation, request, listing)
+            yield from of_ros2.without(self._graph_findings(evaluation, request, listing))
         yield from (self._at_home(each, evaluation, assumed=False) for each in listing.left_out(self.options.rules))
 
     @property

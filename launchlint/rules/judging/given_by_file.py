@@ -6,6 +6,7 @@ from launchlint.graph.connections import Endpoint, Instance
 from launchlint.graph.parameters import Parameters
 from launchlint.late import late
 from launchlint.library.template import UNKNOWN
+from launchlint.rules.judging.name_places import Owners
 
 _WORDS = late(r"[^/:._~]+")
 _SWITCHES = frozenset(("use", "load", "read"))
@@ -13,9 +14,23 @@ _FILES = frozenset(("dir", "directory", "file", "filename", "filepath", "folder"
 _MOST_PARAMS = 500
 
 
-def is_to_be_met(end: Endpoint, instance: Instance, parameters: Parameters) -> bool:
-    """Whether somebody is to be at the other end of a name: it is certainly there, belongs to no action, and no file stands for it."""
-    return end.certain and not end.action and not is_given_by_file(end, instance, parameters)
+class ToBeMet:
+    """Whether somebody is to be at the other end of a name: it is certainly there, belongs to no action, and no file stands for it.
+
+    It is worked out once for each end of one graph, whose nodes have these ``parameters``.
+    """
+
+    def __init__(self, owners: Owners, parameters: Parameters) -> None:
+        self._owners = owners
+        self._parameters = parameters
+        self._known: dict[int, bool] = {}
+
+    def __call__(self, end: Endpoint) -> bool:
+        """The answer for one end of that graph, which stays alive meanwhile."""
+        if id(end) not in self._known:
+            given = not end.certain or end.action or is_given_by_file(end, self._owners[id(end)], self._parameters)
+            self._known[id(end)] = not given
+        return self._known[id(end)]
 
 
 def is_given_by_file(end: Endpoint, instance: Instance, parameters: Parameters) -> bool:

@@ -18,7 +18,7 @@ from launchlint.library.shipped import is_in_library
 from launchlint.model import ROS2
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.examples import Examples
-from launchlint.rules.judging.given_by_file import is_to_be_met
+from launchlint.rules.judging.given_by_file import ToBeMet
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.judging.one_sided import Others, Shown, given_and_taken, is_as_said, is_one_sided, signed, speak_alike, types
@@ -76,7 +76,7 @@ class LooseEnds:
         self._examples = Examples(view, self.owners)
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
-        self._to_be_met: dict[int, bool] = {}
+        self._is_to_be_met = ToBeMet(self.owners, self.graph.parameters)
         self._programs = Counter(instance.program for instance in self.graph.instances)
         self._started = {instance.name.rpartition("/")[2] for instance in self.graph.instances}
         self._compared = 0
@@ -96,12 +96,6 @@ class LooseEnds:
                 found = [missed for end in ends if (missed := self._meant(end, doubts)) is not None]
                 if found:
                     yield min(found, key=lambda each: (-each.level, *self._apart(each.instance, each.partner), each.instance.name))
-
-    def _is_to_be_met(self, end: Endpoint) -> bool:
-        known = self._to_be_met.get(id(end))
-        if known is None:
-            known = self._to_be_met[id(end)] = is_to_be_met(end, self.owners[id(end)], self.graph.parameters)
-        return known
 
     def _sleeps(self, end: Endpoint) -> bool:
         """Whether it is there only while somebody hears its node, and nothing says that somebody is to: it has the name in the code.

@@ -67,10 +67,12 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
+from launchlint.model import ROS2
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place
+from launchlint.syntax.dialect import told
 from launchlint.workspace.other_ros import built_for_ros2, left_over
 
 _NAMED = late(r"(?<![^/])[^/]{0,255}ros_?1(?![0-9])[^/]{0,255}(?=/)")
@@ -88,6 +90,8 @@ def check(view: FileView) -> Iterator[Finding]:
         if waiting is not None:
             yield _waiting(document.place(document.root.name_span), waiting.name)
         return
+    if told(document, ROS2, of_ros2_only=True) == ROS2:
+        return  # a launch file of ROS 1 includes it, and is told of that
     kept = _NAMED.search(document.source.path)
     yield RULE.at(
         document.place(document.root.name_span),

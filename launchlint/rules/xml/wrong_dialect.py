@@ -6,6 +6,9 @@ the launch files of ROS 2, which look much the same.
 In a ROS 2 launch file, these are `type`, `ns`, `required` and `doc`, `<rosparam>` and `<machine>`, `$(arg …)`, `$(find …)` and
 `$(optenv …)`: launch refuses the file.
 
+Where a launch file of ROS 1 includes one that is for ROS 2, by its words and by how its package is built, that is told at the include, and
+nothing of what roslaunch makes of the included file.
+
 ## Why it matters
 
 roslaunch skips the tags and attributes that it does not know, with a warning: so does launchlint. It refuses the substitutions, and a
@@ -65,7 +68,7 @@ from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, LOADS2, Edits, fix, rename_attribute, replace, spot, write_over
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
-from launchlint.source import Place, Span
+from launchlint.source import Origin, Place, Span
 from launchlint.syntax.parts import Substitution
 from launchlint.syntax.problems import WrongDialect
 from launchlint.syntax.ros1.substitutions import parse
@@ -99,6 +102,19 @@ def tell(problem: WrongDialect | OfRos1, view: object) -> Iterator[Finding]:
         notes=(note,),
         help=f"in ROS 1: {instead}" if instead else "ROS 1 has nothing like it: remove it",
         fix=_fix(problem, view),
+    )
+
+
+def included(include: Origin, file: str, finding: Finding) -> Finding:
+    """That an include of a launch file of ROS 1 leads to ``file``, which is for ROS 2, so that roslaunch comes upon ``finding`` in it."""
+    return RULE.at(
+        include,
+        f"{file} is a launch file of ROS 2",
+        severity=finding.severity,
+        label="includes it in ROS 1",
+        notes=(*(note for note in finding.notes if note.startswith("roslaunch ")), "nothing else is said of what roslaunch makes of it"),
+        help="include a launch file of ROS 1, or write this one for ros2 launch",
+        topic=file,
     )
 
 
