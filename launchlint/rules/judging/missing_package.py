@@ -18,6 +18,7 @@ from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead, programs_asked
 from launchlint.rules.judging.template import is_among_templates
 from launchlint.spelling import closest, distance, folded, one_slip
+from launchlint.workspace.base_paths import leads_below, read_base_paths
 from launchlint.workspace.crawl import COLCON
 from launchlint.workspace.looking import Looked, question, remembered
 from launchlint.workspace.package import Package
@@ -160,6 +161,8 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     if home is not None and home.name == name and name not in public:
         outer = packages.package_of(posixpath.dirname(home.directory))
         if outer is not None and not outer.is_metapackage:
+            if packages.way is COLCON and leads_below(outer.directory, home.directory, packages.survey(read_base_paths)):
+                return None
             inner = _shown(home.directory, packages)
             finder = "colcon" if packages.way is COLCON else "rospack"
             why = f"it is this file's own package, and {inner} lies in another one, {outer.name}: {finder} does not look below a package"
