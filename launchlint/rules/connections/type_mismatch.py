@@ -8,7 +8,8 @@ same two programs with the same two types are told of once, also where several l
 one of two such names for the other, and all that meet one program on one topic with another type than its own. In ROS 2 types of different
 names never meet, whatever is in them; it is an info where they differ as those of two releases of a public program do, whose messages
 moved to a package of their own (`turtlesim/msg/Pose` and `turtlesim_msgs/msg/Pose`), or from it (`opennav_docking_msgs`), or whose speeds
-got a header with Jazzy (`Twist` and `TwistStamped`).
+got a header with Jazzy (`Twist` and `TwistStamped`), and where two public programs are known from two states of one repository: those of
+one release may well have one type.
 
 It is a warning where two public programs of different packages meet by the names in their code alone, which may be by chance. Nothing is
 said of an input for which params of the node switch on a file (`use_pcd_map: true` and a `map_path` for `map`).
@@ -141,7 +142,7 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, view: GraphView, 
     notes.extend(text for text in (how(acting, mine), how(other, theirs)) if text)
     old = (_other_version(offer, use, view) or _other_version(use, offer, view)) if copies else ""
     if not old and view.dialect.name == ROS2:
-        old = _other_release(offer, use, view) or _other_release(use, offer, view)
+        old = _other_release(offer, use, view) or _other_release(use, offer, view) or _other_state(offer, use)
     if old:
         notes.append(old)
     found = RULE.at(
@@ -209,6 +210,25 @@ def _other_release(own: Endpoint, other: Endpoint, view: GraphView) -> str:
     if long not in (f"{short}_msgs", f"{short}_interfaces"):
         return ""
     return f"messages of {short} and {long} are of different releases, and what is known of {program} is what one of them does"
+
+
+def _other_state(offer: Endpoint, use: Endpoint) -> str:
+    """Why the two, of public programs, may go together: their types are known from two states of one repository. Empty where not."""
+    if offer.is_read_here or use.is_read_here:
+        return ""
+    given, taken = (dict(sorted(_states(end))) for end in (offer, use))
+    for repository, state in given.items():
+        if taken.get(repository, state) != state:
+            return f"the two are known from two states of {repository.rpartition('/')[2]}: those of one release may have the same type"
+    return ""
+
+
+def _states(end: Endpoint) -> Iterator[tuple[str, str]]:
+    """The repositories, with their owners, and the state of each, from which something public is known."""
+    for fact in end.declaration.evidence:
+        repository, at, rest = fact.get("at", "").partition("@")
+        if at:
+            yield repository, rest.partition(":")[0]
 
 
 def _other_version(own: Endpoint, other: Endpoint, view: GraphView) -> str:

@@ -4,8 +4,8 @@ What it does: for each node whose package lies in the workspace, it works out wh
 `setup.py` and `setup.cfg`, which are read and never run. It tells of programs that are installed to another directory than `lib/PKG` (to
 `bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
 files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out, and where the program is
-built only if somebody switches on an `option()` that is off; and an info where the target is commented out in an `install()`: it is left
-out on purpose. What no part of the package is called is told by LL304. All scripts of a `setup.py` that go to another directory are one
+built only if somebody switches on an `option()` that is off; and an info where the target or script is commented out in an `install()`: it
+is left out on purpose. What no part of the package is called is told by LL304. All scripts of a `setup.py` that go to another directory are one
 finding, and so are those of all packages of a workspace whose `setup.py` sends them to the same one, and all programs of a package that
 installs none.
 
@@ -153,10 +153,14 @@ def together(findings: Sequence[Finding]) -> Finding:
 def _kept_back(missing: Missing) -> tuple[str, int | None]:
     """The option without which the program is not built, and the line in which an ``install()`` has it in a comment; of CMake only."""
     package, name = missing.package, missing.node.executable
-    if missing.built is None or build_file(package) != CMAKE_FILE:
+    if build_file(package) != CMAKE_FILE:
         return "", None
-    line = left_out_of_install(package.directory, package.name, (name,)) if missing.built == "" else None
-    return switch_of(package.directory, package.name, name), line
+    line = None
+    if missing.file is not None:
+        line = left_out_of_install(package.directory, package.name, (posixpath.relpath(missing.file, package.directory),))
+    elif missing.built == "":
+        line = left_out_of_install(package.directory, package.name, (name,))
+    return "" if missing.built is None else switch_of(package.directory, package.name, name), line
 
 
 def _cause(missing: Missing) -> str:

@@ -6,7 +6,8 @@ ROS installation is set up here, or the configuration says `packages: complete`)
 here or that a `package.xml` here declares; a warning where the name is much like that of a package that is here, declared or public, or is
 one that is here with a number or its end twice (`arm_2` beside `arm`); else an info, since it may well lie in another repository of the
 same people. So it is where a document names it, or a script, a workflow or an image fetches something of that name. Public packages that
-are only not installed here are passed over.
+are only not installed here are passed over, and so is a package inside another one where an image, a workflow or a script of the workspace
+lets colcon look for packages there (`--base-paths`).
 Each package is told of once, with all files that need it. Where a file looks for it with `$(find …)`, too, LL210 tells, and
 the two rules are told as one.
 
