@@ -13,7 +13,7 @@ that name, the help names it; a program or script (with the executable bit or wi
 so. In ROS 2 only what is installed to `lib/PKG` counts, by `CMakeLists.txt` or by `setup.py` and `setup.cfg`: where these can be followed
 to their end and nothing in the package is called so, it is an error. What is built or lies there and is not installed is told by LL946.
 What a shell script or Makefile of the workspace copies to `install/…/lib/` or `devel/lib/` is passed over, where it names both the package
-and the program.
+and the program. A package of ROS 2 that only brings a command (`ros2bag`) has no program that could be started.
 
 ## Why it matters
 
@@ -84,11 +84,13 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import ROS2, Node
 from launchlint.plural import listed
 from launchlint.rules.edits import fix, is_literal, set_value, spot
+from launchlint.rules.judging.commands import COMMANDS
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.package_contents import contents, installs
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
+from launchlint.rules.wording import words_at
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip, same_letters, surely
 from launchlint.syntax.ros1.substitutions import parse
@@ -211,6 +213,7 @@ def _in_ros2(view: GraphView) -> Iterator[Finding]:
     """Likewise for ROS 2 (launch_ros.substitutions.ExecutableInPackage)."""
     from launchlint.rules.judging.not_in_libexec import build_file, missing_programs
 
+    yield from _commands(view)
     for missing in missing_programs(view.launch, view.packages):
         if missing.built is not None or missing.file is not None:
             continue
@@ -242,6 +245,28 @@ def _in_ros2(view: GraphView) -> Iterator[Finding]:
             cause=f"{severity.word} {node.package}/{reason}",
             topic=node.executable,
             fix=None if slip is None or near != slip else _fix(node, view, slip),
+        )
+
+
+def _commands(view: GraphView) -> Iterator[Finding]:
+    """Nodes of public packages that have a command of the tool ros2, and no program."""
+    for node in view.launch.nodes:
+        command = COMMANDS.get(node.package)
+        if command is None or node.kind == "composable" or not node.knows("package", "executable") or not node.executable.strip():
+            continue
+        if view.packages.colcon.get(node.package, view.launch.entry.file) is not None:
+            continue
+        assumed = any(condition.assumed for condition in node.conditions)
+        severity = Severity.WARNING if assumed else RULE.severity
+        origin = Origin(node.places.get("executable", node.origin.place), node.origin.step)
+        yield RULE.at(
+            origin,
+            f"the package {node.package} has no executables: it brings the command ros2 {command}",
+            severity=severity,
+            label="not found",
+            notes=(f"ros2 launch stops: executable '{node.executable}' not found on the libexec directory",),
+            help=f"start ros2 {command} with {words_at(origin).tag('executable')}",
+            cause=f"{severity.word} {node.package}/{_NONE}",
         )
 
 
