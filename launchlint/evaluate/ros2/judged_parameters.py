@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from launchlint.problem import Problem
 
 _LONGEST = 60
+_LONGEST_KEPT = 1_000
+"""A value that may be a path, which is shown from the directory that is checked."""
 
 
 def judged(passed: Sequence[Passed], remaps: Iterable[Remap], begun: Started, node: str, asks: Performs) -> Iterator[Problem]:
@@ -153,8 +155,8 @@ def _lost(table: Table, full_name: str, begun: Started, passed: Sequence[Passed]
                 related=((_origin(winning, begun, passed).place, "this counts"),),
                 name=parameter.name,
                 node=full_name,
-                lost=str(parameter.value.data)[:_LONGEST],
-                kept=str(winning.value.data)[:_LONGEST],
+                lost=str(parameter.value.data)[:_LONGEST_KEPT],
+                kept=str(winning.value.data)[:_LONGEST_KEPT],
                 lost_key=key.name,
                 kept_key=winner.name,
                 later=later,

@@ -60,17 +60,30 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         related=tuple(related),
         notes=tuple(notes),
         help=_help_for_all(cause) if cause.hub is not None else _help(missed, repairs, at_partner=at_partner),
-        topic=topic_of(end) if cause.hub is None else " ".join((cause.hub[0], *map("/".join, cause.hub[1]))),
+        topic=topic_of(end) if cause.hub is None else " ".join((_program_of(cause.hub[0], missed), *map("/".join, cause.hub[1]))),
         fix=None if others else repairs.of(missed),
-        cause="" if others else _cause(missed),
+        cause=_cause_of_all(cause),
     )
     return with_sources(found, end, other)
+
+
+def _cause_of_all(cause: Cause) -> str:
+    """What is the same in all launch files that start the programs of the two ends alike, whatever they call the nodes."""
+    if cause.hub is None:
+        return "" if cause.others else _cause(cause.first)
+    said = sorted(f"{each.instance.program} {each.end.declared} {each.partner.program}" for each in (cause.first, *cause.others))
+    return " ".join((_program_of(cause.hub[0], cause.first), *map("/".join, cause.hub[1]), *said))
 
 
 def _cause(missed: Missed) -> str:
     """What is the same for all nodes of a ``<node>`` that several includes start: its place, and what it says and hears."""
     place, program, partner = missed.instance.node.origin.place, missed.instance.program, missed.partner.program
     return " ".join((place.source.path, str(place.span.start), program, missed.end.declared, partner, missed.other.declared))
+
+
+def _program_of(node: str, missed: Missed) -> str:
+    """The program of one of the two nodes: in launch files that are alike it may have another name."""
+    return next((each.program for each in (missed.instance, missed.partner) if each.name == node), node)
 
 
 def _is_at_partner(missed: Missed) -> bool:

@@ -6,7 +6,8 @@ called as those of ROS 1 are (`robot.launch`) and has not one word of ROS 2. A p
 build types have conditions, another manifest (`package_ros1.xml`) lies beside `package.xml`, or its `CMakeLists.txt` names catkin. All such
 files of one package are told of at once, and nothing else is said of them. In a workspace of ROS 2 (its files name distributions of ROS 2
 and none of ROS 1, or colcon has built it, and ament builds many of its packages) the packages of catkin wait for being ported, or were
-forgotten: that is one information for all of them. It is an information, too, where a directory is named for ROS 1 (`launch_ros1`).
+forgotten: that is one information for all of them. It is an information, too, where a directory is named for ROS 1 (`launch_ros1`),
+and where a file shows the URDF of a package that is not here, and asks nothing else: a CAD program's exporter wrote it.
 
 ## Why it matters
 
@@ -63,6 +64,7 @@ ported: it speaks of files, params and programs that are no longer there, and mi
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -75,6 +77,8 @@ from launchlint.source import Place
 from launchlint.syntax.dialect import told
 from launchlint.workspace.other_ros import built_for_ros2, left_over
 
+_FINDS = late(r"\$\(find ([\w-]{1,200})\)")
+_MODEL = late(r"\$\(find [\w-]{1,200}\)/(?:urdf|robots)/([\w-]{1,200})\.(?:urdf|URDF)\b")
 _NAMED = late(r"(?<![^/])[^/]{0,255}ros_?1(?![0-9])[^/]{0,255}(?=/)")
 RULE = Rule("LL115", "left-from-ros1", Severity.WARNING)
 
@@ -93,15 +97,33 @@ def check(view: FileView) -> Iterator[Finding]:
     if told(document, ROS2, of_ros2_only=True) == ROS2:
         return  # a launch file of ROS 1 includes it, and is told of that
     kept = _NAMED.search(document.source.path)
+    exported = _exported(document.source.text, view)
     yield RULE.at(
         document.place(document.root.name_span),
         f"this launch file is for ROS 1, and its package {package.name} is built for ROS 2",
-        severity=None if kept is None else Severity.INFO,
+        severity=None if kept is None and not exported else Severity.INFO,
         label="for roslaunch",
-        notes=("ros2 launch refuses it; nothing else is said of it", *(() if kept is None else (f"{kept[0].strip('/')} says so itself",))),
+        notes=("ros2 launch refuses it; nothing else is said of it", *_why(kept, exported)),
         help="remove it, or write it for ros2 launch",
-        cause=f"{shown(package.manifest_path, root_of(document.source))} {'' if kept is None else kept[0]}",
+        cause=f"{shown(package.manifest_path, root_of(document.source))} {'' if kept is None else kept[0]}{exported}",
     )
+
+
+def _why(kept: re.Match[str] | None, exported: str) -> tuple[str, ...]:
+    """What tells that nobody here is to start it."""
+    if kept is not None:
+        return (f"{kept[0].strip('/')} says so itself",)
+    return (
+        (f"it shows the model of a package {exported}, which is not here: a CAD program's exporter writes such files",) if exported else ()
+    )
+
+
+def _exported(text: str, view: FileView) -> str:
+    """The package, not here, that all of a launch file is about: it shows the URDF of that name, as exporters of models write it."""
+    asked = set(_FINDS.findall(text))
+    if len(asked) != 1 or view.packages.has(name := asked.pop()):
+        return ""
+    return name if any(each == name for each in _MODEL.findall(text)) else ""
 
 
 def _waiting(place: Place, package: str) -> Finding:
