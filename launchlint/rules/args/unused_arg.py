@@ -64,6 +64,16 @@ from launchlint.evaluate.ros2.problems import ArgUnused
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.rules.edits import fix, remove_element, spot
+from launchlint.rules.judging.arg_comments import (
+    ON_PURPOSE,
+    SAID_NOT_USED,
+    STILL_TO_BE_USED,
+    not_used,
+    remarks_of,
+    says_later,
+    says_so,
+    speaks_of,
+)
 from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.one_interface import taken_beside
@@ -91,24 +101,8 @@ RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 # Not the grammar of substitutions: in text that stands for itself and in comments whatever looks like a read is one, closed or not.
 READ = late(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
 WORD = late(r"[^\W\d]\w*")
-MARKUP = late(r"<[^<>]*>")
 EVAL = late(r"\$\(eval([^\n]*)")
 COMPUTED_NAME = late(r"\barg\s*\(\s*[^'\"\s]|\b(?:globals|locals|vars|dir|eval|exec)\s*\(")
-ON_PURPOSE = late(
-    r"unused|not used|no longer|deprecat|obsolete|compat|ignored|legacy|dummy|placeholder|interface|"
-    r"\b(?:old|previous|previously)\b(?!\s*(?:value|default)?\s*[:=]?\s*[-+.\d])|\b(?:prevents?|backwards?|so\s+that)\b",
-    re.IGNORECASE,
-)
-# In capitals: in Spanish, todo is everything.
-_LATER = late(r"\b(?:TODO|FIXME)\b|(?i:\bnot\s+yet\b|\bnot\s+implemented\b|\bunimplemented\b|\bto\s+be\s+(?:used|implemented)\b)")
-_OF_VALUE = late(r"\b(?:set|change|adjust|adapt|fill|replace|tune|your|values?|defaults?)\b", re.IGNORECASE)
-# Of one arg, wherever in the file a comment names it as such: in quotes, or behind the word.
-_NOT_TO_BE_USED = late(
-    r"\b(?:unused|ignored)\b|(?:\b(?:not|never|cannot)|n[’']?t)\s+(?:be\s+)?(?:use|used|put|place|placed|read|need|needed)\b", re.IGNORECASE
-)
-_AS_NAME = late(r"(?:\barg(?:ument)?[ \t]+|(?<!\w)[`'\"]|\barg(?:ument)?[ \t]+[`'\"])(\w+)(?!\w)")
-SAID_NOT_USED = "a comment of this file names it, and says that it is not used"
-STILL_TO_BE_USED = "a comment beside it says that something is still to be done"
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -128,7 +122,7 @@ def check(view: FileView) -> Iterator[Finding]:
     if read is None:
         return
     kept = {each.index for each in document.elements if each.tag == "arg" and ON_PURPOSE.search(each.get("doc") or "")}
-    kept |= _spoken_of(document, _says_so)
+    kept |= _spoken_of(document, says_so)
     in_comments = {name for comment in document.comments for name in _names_in(comment.text)}
     unread = {
         name: elements
@@ -175,6 +169,10 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
     if ON_PURPOSE.search(problem.description):
         return
     name, place = problem.name, problem.place
+    written = _written(place, name)
+    remarks = view.once(remarks_of)(place.source.path)
+    if speaks_of(remarks, place, written, says_so):
+        return
     idle = NOTHING_ELSE if problem.alone else "only a comment reads it" if _is_in_comment(place.source, name) else ""
     beside = (
         ""
@@ -187,8 +185,12 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
         idle = "the program reads it where it does not get to here"
     if beside:
         idle = f"{beside} beside this file takes it, too, and reads it: it may be here for those who include one or the other"
+    if not idle and name in not_used(each.text for each in remarks):
+        idle = SAID_NOT_USED
+    if not idle and speaks_of(remarks, place, written, says_later):
+        idle = STILL_TO_BE_USED
     yield RULE.at(
-        Origin(_written(place, name), problem.origin.step),
+        Origin(written, problem.origin.step),
         f"the arg {name} is never read",
         severity=Severity.INFO if idle else None,
         label="unused",
@@ -421,13 +423,13 @@ def _is_check(element: Element) -> bool:
     return expression_in(element.get("value") or "") is not None
 
 
-def _spoken_of(document: Document, says: Callable[[Comment], bool]) -> set[int]:
+def _spoken_of(document: Document, says: Callable[[str], bool]) -> set[int]:
     """Indices of the args of which a comment ``says`` something.
 
     A comment speaks of the args that end in its line; if it begins its line also of the run of args directly below it, as far as the next
     element of another kind, or the next comment behind a blank line.
     """
-    speaking = [each for each in document.comments if says(each)]
+    speaking = [each for each in document.comments if says(each.text)]
     if not speaking:
         return set()
     args = [each for each in document.elements if each.tag == "arg"]
@@ -445,7 +447,7 @@ def _spoken_of(document: Document, says: Callable[[Comment], bool]) -> set[int]:
             in_run = heard
             if heard:
                 kept.add(thing.index)
-        elif first.line > line and says(thing):
+        elif first.line > line and says(thing.text):
             heard, in_run = True, False
         elif first.line > line + 1:
             heard = False
@@ -456,23 +458,11 @@ def _spoken_of(document: Document, says: Callable[[Comment], bool]) -> set[int]:
 def _kept_for_later(document: Document, unread: set[int]) -> set[int]:
     """Indices of the args of which a comment says that something is still to be done, in runs of which none is read: else it heads them."""
     runs: dict[int, set[int]] = {}
-    for at, index in enumerate(sorted(_spoken_of(document, _says_later))):
+    for at, index in enumerate(sorted(_spoken_of(document, says_later))):
         runs.setdefault(index - at, set()).add(index)
     return {index for run in runs.values() if run <= unread for index in run}
 
 
 def _said_not_used(document: Document) -> set[str]:
     """Names of args of which a comment anywhere says that they are not used, or not to be used."""
-    texts = (MARKUP.sub(" ", comment.text) for comment in document.comments)
-    return {name for text in texts if _NOT_TO_BE_USED.search(text) is not None for name in _AS_NAME.findall(text)}
-
-
-def _says_so(comment: Comment) -> bool:
-    """Whether the words of a comment call something unused or the like; not the XML that is commented out in it."""
-    return ON_PURPOSE.search(MARKUP.sub(" ", comment.text)) is not None
-
-
-def _says_later(comment: Comment) -> bool:
-    """Whether they say that something is still to be done, other than to give it another value."""
-    words = MARKUP.sub(" ", comment.text)
-    return _LATER.search(words) is not None and _OF_VALUE.search(words) is None
+    return not_used(comment.text for comment in document.comments)

@@ -5,8 +5,8 @@ What it does: for each node whose package lies in the workspace, it works out wh
 `bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
 files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out, and where the program is
 built only if somebody switches on an `option()` that is off; and an info where the target or script is commented out in an `install()`: it
-is left out on purpose. What no part of the package is called is told by LL304. All scripts of a `setup.py` that go to another directory are one
-finding, and so are those of all packages of a workspace whose `setup.py` sends them to the same one, and all programs of a package that
+is left out on purpose. What no part of the package is called is told by LL304. All scripts of a `setup.py` that go to another directory are
+one finding, and so are those of all packages of a workspace whose `setup.py` sends them to the same one, and all programs of a package that
 installs none.
 
 ## Why it matters

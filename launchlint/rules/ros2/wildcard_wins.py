@@ -2,7 +2,7 @@
 
 rcl puts what it reads under the same key together, over all files and params of the node, and the keys keep the order in which they came
 first. Of two keys that reach the node, the later one wins: not the more exact one, and not the value that was read last. What a launch file
-says in `<param name>` stands under `/**`, unless the node has both a `name` and a `namespace`. It is an information where the node is one of
+says in `<param name>` stands under `/**`, unless the node has both a `name` and a `namespace`. It is an information where the node is of
 a public program that is not known to read the param, which may be one of another release.
 
 ## Why it matters
