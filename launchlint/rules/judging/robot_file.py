@@ -9,7 +9,8 @@ from launchlint.rules.judging.other_file import is_inside
 from launchlint.workspace.looking import exists
 from launchlint.workspace.packages import Packages
 
-_SYSTEM = re.compile(r"/(?:etc|opt(?!/ros/)|var|usr/local|media|mnt|dev|home|root)/")
+_SYSTEM = re.compile(r"/(?:etc|opt(?!/ros/)|var|usr/local|media|mnt|dev|home|root|workspaces)/")
+"""Also where development containers mount what is worked on (containers.dev: workspaceFolder)."""
 _ROS = re.compile(r"/opt/ros/[a-z]+(?=/)")
 ABSENT_ROS = "it belongs to a distribution of ROS that is not installed here"
 INSTALL = "install that, or name the file by its package"

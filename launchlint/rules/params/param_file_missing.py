@@ -7,19 +7,18 @@ of `<set_parameters_from_file>`. The path is checked as it is after substitution
 ## Why it matters
 
 roslaunch refuses the launch file, and with it every launch file that includes it. `ros2 launch` only warns where a node has the file, and
-starts it without its params: a warning here, too. It is also a warning where the file may well be there on the robot: a path outside of
-all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its own files (`/etc`, `/opt`,
-`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; in `/tmp`, where programs write while they run; in a
-distribution of ROS (`/opt/ros/…`) that is not installed here; where
-an arg gives a relative path; where, in ROS 2, a relative path leads to a file of the workspace from a directory around it
-(`src/robot/config/arm.yaml`); where the path is made from an environment variable, whose value here says little; and where the file is
-made: by a command of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, also one of another launch file of
-the package, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked out, or in a
-directory with nothing but a README; where `CMakeLists.txt` installs a file to just this place, so that it is there from the install space
-only; where only the default of an arg leads there that all files which include this one override; and where
-that default is `none` or the like and files for other values are there. A directory that is missing is told once, with all files that
-would be in it, and so is one in which files are looked for that lie elsewhere, and one that lacks several files which one launch file
-names.
+starts it without its params: a warning here, too. It is also a warning where the file may well be there on the robot: a path outside of all
+packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its own files (`/etc`, `/opt`,
+`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`) or development containers have theirs (`/workspaces`), outside of the workspace; in
+`/tmp`, where programs write while they run; in a distribution of ROS (`/opt/ros/…`) that is not installed here; where an arg gives a
+relative path; where, in ROS 2, a relative path leads to a file of the workspace from there, unless one package is all of it, or from a
+directory around it (`src/robot/config/arm.yaml`); where the path is made from an environment variable, whose value here says little; and
+where the file is made: by a command of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, also one of another
+launch file of the package, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked out,
+or in a directory with nothing but a README; where `CMakeLists.txt` installs a file to just this place, so that it is there from the install
+space only; where only the default of an arg leads there that all files which include this one override; and where that default is `none` or
+the like and files for other values are there. A directory that is missing is told once, with all files that would be in it, and so is one
+in which files are looked for that lie elsewhere, and one that lacks several files which one launch file names.
 
 ## Example
 
@@ -53,6 +52,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.model import ROS1, ROS2
 from launchlint.rules.judging.default_to_correct import SENTINELS, has_arg, unchosen
 from launchlint.rules.judging.elsewhere import elsewhere, in_another_package
@@ -73,6 +73,8 @@ from launchlint.workspace.looking import is_file
 
 RULE = Rule("LL502", "param-file-missing", Severity.ERROR, roslaunch="refuses")
 _DEEPEST = 12
+_MARKUP = late(r"\A\s{0,100}<[?!\w]|>\s{0,100}\Z")
+"""How a description of a robot begins or ends, which is written where the name of a file is asked for."""
 
 
 def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
@@ -81,17 +83,19 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     if path in SENTINELS:
         return
     launcher = view.dialect.launcher
+    text = missing and problem.place.source.path.endswith(".py") and _MARKUP.search(path) is not None
     notes = [f"{launcher} stops, since it finds no file {path}" if missing else f"{launcher} refuses the launch file"]
     if not problem.refused:
         notes = [f"{launcher} warns, and starts the node without these params"]
-    if problem.relative:
+    if problem.relative and not text:
         notes.append(f"a relative path is looked up where {launcher} is started, not beside this file")
     elif problem.environment:
         notes.append("the path is made from an environment variable, which may be another one on the robot")
     elif problem.elsewhere:
         notes.append("it is in no package that is here, so that it may be there on the robot")
     name = path if posixpath.dirname(path) == "/" else posixpath.basename(path) or path
-    if missing and view.dialect.name == ROS2 and path.startswith("/") and "." not in name and problem.place.source.path.endswith(".py"):
+    slashed = path.startswith("/") and "." not in name and problem.place.source.path.endswith(".py")
+    if missing and view.dialect.name == ROS2 and (slashed or text):
         notes.append("a text among the parameters of a node is the name of a file; params stand in a dictionary")
     severity = None
     installed = (
@@ -128,7 +132,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes.append("an arg says which file, so that this one may stand for any")
     elif path and problem.relative and (there := _below_workspace(path, view)):
         severity = Severity.INFO
-        notes.append(f"it is there as {there}, for who starts it from a directory around that")
+        notes.append(f"it is there as {there}, for who starts it from {'there' if there == path else 'a directory around that'}")
     elif path and (problem.relative or problem.elsewhere) and not left_over_in(problem.file, view):
         severity = Severity.WARNING
     left = leads_out(problem.file, problem.place, view.packages) if missing and view.dialect.name == ROS2 else ""
@@ -160,15 +164,23 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     if not path:
         message = "the name of the file is empty"
     else:
-        message = f"the file {name} does not exist" if missing else f"the file {name} cannot be read: {problem.reason}"
+        message = (
+            "a text in XML is given as the name of a file of params"
+            if text
+            else f"the file {name} does not exist"
+            if missing
+            else f"the file {name} cannot be read: {problem.reason}"
+        )
     yield RULE.at(
         problem.origin,
         message,
         severity=severity,
-        label=f"no file {name}" if missing and problem.no_directory else "no such file" if missing else "",
+        label="no name of a file" if text else f"no file {name}" if missing and problem.no_directory else "no such file" if missing else "",
         related=problem.related,
         notes=tuple(notes),
-        help="fill in the path, or make it an arg without a default"
+        help="give it as a param: {'robot_description': …}"
+        if text
+        else "fill in the path, or make it an arg without a default"
         if placeholder
         else "install the file with a package, and start the path with its share directory"
         if left
@@ -188,7 +200,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         or (moved(problem.file, near) if severity is None and near is not None and missing else "")
         or (lacking(problem.file) if look and severity is None and near is None else "")
         or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
-        about=(name,) if path else (),
+        about=(name,) if path and not text else (),
     )
 
 
@@ -215,12 +227,19 @@ def _may_be_installed(file: str, view: LaunchView) -> str:
 
 
 def _below_workspace(path: str, view: LaunchView) -> str:
-    """The file that a relative path with directories means in ROS 2, where it counts from a directory around a workspace; empty if none."""
+    """The file that a relative path with directories means in ROS 2, where it counts from a workspace or around it; empty if none."""
     parts = posixpath.normpath(path).split("/")
-    if view.dialect.name == ROS1 or parts[0] == ".." or not 2 < len(parts) <= _DEEPEST:
+    if view.dialect.name == ROS1 or parts[0] == ".." or not 1 < len(parts) <= _DEEPEST:
         return ""
-    ends = ["/".join(parts[at:]) for at in range(1, len(parts) - 1)]
-    return next((end for end in ends for place in view.packages.workspaces if is_file(posixpath.join(place, end))), "")
+    ends = ["/".join(parts[at:]) for at in range(len(parts) - 1)]
+    return next((end for end in ends for place in view.packages.workspaces if _is_there(place, end, view)), "")
+
+
+def _is_there(place: str, end: str, view: LaunchView) -> bool:
+    """Whether a workspace has the file, as more than a package that is the whole of it: that is started from anywhere."""
+    file = posixpath.join(place, end)
+    package = view.packages.package_of(file) if is_file(file) else None
+    return is_file(file) and (package is None or package.directory != place or end.count("/") > 1)
 
 
 def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:

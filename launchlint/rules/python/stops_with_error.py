@@ -4,8 +4,8 @@
 values of its arguments does so on purpose: it is told only of what happens without arguments. It is an info where a function asked for a
 launch configuration before that is empty, or that nobody sets here: such a file wants an arg, or is made to be included. So it is where the
 program itself raises the exception after it has looked for a package that is not here, or asked for an environment variable that is not
-set: these may be there where it is started. It is told, too, of a `PopLaunchConfigurations` or `PopEnvironment` before which nothing was
-pushed: launch raises an exception there.
+set: these may be there where it is started; and where it looks through `sys.argv` for an argument that a variable is set by. It is told,
+too, of a `PopLaunchConfigurations` or `PopEnvironment` before which nothing was pushed: launch raises an exception there.
 
 ## Why it matters
 
@@ -56,6 +56,8 @@ from launchlint.syntax.ros2.python.problems import StopsWithError
 RULE = Rule("LL949", "stops-with-error", Severity.ERROR, roslaunch="refuses")
 _PUSHES = {"configurations": "PushLaunchConfigurations", "environment": "PushEnvironment"}
 _LACKING = frozenset(("FileNotFoundError", "IsADirectoryError", "NotADirectoryError"))
+_NOT_SET = frozenset(("UnboundLocalError", "IndexError"))
+"""What comes of an argument that nobody has given, where a file looks for it itself."""
 _ABSENT = late(r"'(/[^']+)'$")
 _LACKING_STATED = "ParameterBuilderFileNotFoundError"
 """What a build may mend that puts files where there are none in the sources: as Python says it, and as launch_param_builder does."""
@@ -84,6 +86,9 @@ def tell(problem: StopsWithError | NothingToPop, view: LaunchView) -> Iterator[F
     elif problem.lacking:
         severity = Severity.INFO
         notes = (f"so it is where nobody gives {problem.lacking} a value, on the command line or in a file that includes this one",)
+    elif not problem.stated and problem.error in _NOT_SET and "sys.argv" in problem.place.source.text:
+        severity = Severity.INFO
+        notes = ("it looks through sys.argv, and this is so where it finds nothing there: somebody gives it name:=value",)
     absent = _ABSENT.search(problem.what) if problem.error == "FileNotFoundError" else None
     maker = None if absent is None else made(absent[1], view, root)
     if maker is not None:

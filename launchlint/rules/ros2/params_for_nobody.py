@@ -5,8 +5,9 @@ a node in a namespace has another full name. It is an info where the key is the 
 launch file that includes this one may push.
 
 Nothing is said of keys for a node of that name in other namespaces where the node has a key of its own: such a file is for several robots;
-nor of a file for a costmap of nav2, which is a node beside that of its server. Where several programs are given a file with nothing for the
-node, it is an info: one of them may make a node of that name.
+nor of a file for a costmap of nav2, which is a node beside that of its server, nor of a key that is near the name of the node and is that
+of another program of its package (`map_saver` beside `/map_server`). Where several programs are given a file with nothing for the node, it
+is an info: one of them may make a node of that name.
 
 ## Why it matters
 
@@ -51,14 +52,19 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.ros2.parameter_problems import ParametersForNobody
 from launchlint.finding import Finding, Severity
+from launchlint.library.shipped import Bundled
+from launchlint.model import ROS2
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 from launchlint.rules.wording import SHARED
 
 RULE = Rule("LL901", "params-for-nobody", Severity.WARNING)
 
 
-def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
+def tell(problem: ParametersForNobody, view: LaunchView) -> Iterator[Finding]:
     """Say which key was meant for the node, and what it would have to be."""
+    if problem.near == "spelling" and _is_of_another(problem, view):
+        return
     file, node, key = problem.file.rpartition("/")[2], problem.node, problem.key
     if not problem.near:
         yield RULE.at(
@@ -90,3 +96,14 @@ def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
         help=f"did you mean {node}?" if problem.near == "spelling" else f"write {node}{every}",
         cause=f"{problem.file.rpartition('/')[0]} namespace" if problem.near == "namespace" else f"{problem.file} {key}",
     )
+
+
+def _is_of_another(problem: ParametersForNobody, view: LaunchView) -> bool:
+    """Whether another program of the node's package, as it is known of public ones, calls its node by the name of the key."""
+    node = next((each for each in view.launch.nodes if each.full_name == problem.node and each.knows("package")), None)
+    known = None if node is None else Bundled(ROS2).package(node.package)
+    if node is None or known is None:
+        return False
+    name = problem.key.rpartition("/")[2]
+    programs = [each for table in ("executables", "components") for each in known.get(table, {}).values()]
+    return any(way.get("node") == name for each in programs for way in each.get("variants", {}).values())
