@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from launchlint.workspace.packages import Packages
 
 _ONLY_ROS2 = frozenset(("2",))
+_CATKIN = "catkin"
+_LEFT = "${catkin_"
+"""Before the names of variables that are empty where nothing looks for catkin: what is left of a port."""
 _INSTALLED = posixpath.join("install", ".colcon_install_layout")
 
 
@@ -34,7 +37,7 @@ def built_for_ros2(file: str, packages: Packages) -> Package | None:
     if any(each.lower().startswith("package") and each.endswith(".xml") and each != "package.xml" for each in names(package.directory)):
         return None
     written = (content(posixpath.join(package.directory, "CMakeLists.txt")) or b"").decode("utf-8", "replace")
-    return None if any("catkin" in line.partition("#")[0] for line in written.splitlines()) else package
+    return None if any(_CATKIN in line.partition("#")[0].replace(_LEFT, "") for line in written.splitlines()) else package
 
 
 def is_all_of_ros2(packages: Packages, launch_files: Iterable[str]) -> bool:

@@ -1,7 +1,8 @@
 """The default of an arg does not count: an included file that came before has left another value.
 
 What it does: it looks for args with a default that get their value from what another include was passed, or from what the file of another
-include declares or sets, though neither this file nor one that includes it has anything to do with that include.
+include declares or sets, though neither this file nor one that includes it has anything to do with that include. Of an arg that nobody
+reads LL206 tells alone.
 
 ## Why it matters
 
@@ -68,20 +69,25 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Sequence
 
-from launchlint.evaluate.ros2.problems import DefaultOverruled
+from launchlint.evaluate.ros2.problems import ArgUnused, DefaultOverruled
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule, shortened
+from launchlint.rules.view import LaunchView
 from launchlint.rules.wording import words_at
 
 RULE = Rule("LL911", "default-overruled-by-sibling", Severity.WARNING)
 _HOW = {"passed": "was passed to another include", "default": "is the default of another file", "let": "was set in another file"}
 
 
-def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
+def tell(problem: DefaultOverruled, view: LaunchView) -> Iterator[Finding]:
     """Say where the value comes from (launch.actions.DeclareLaunchArgument sets a default only where nothing is set)."""
-    if not problem.left or _is_same_switch(problem.default, problem.value):
+    if (
+        not problem.left
+        or _is_same_switch(problem.default, problem.value)
+        or problem.name in view.once(_unread).get(problem.place.source.path, ())
+    ):
         return
     name, group = problem.name, words_at(problem.origin).tag("group")
     root = root_of(problem.place.source)
@@ -97,6 +103,14 @@ def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
         cause=f"{problem.setter} {problem.place.source.path}",
         about=(group,),
     )
+
+
+def _unread(view: LaunchView) -> dict[str, set[str]]:
+    """The args of each file, by its path, that neither it nor anything behind it reads: LL206 tells of them."""
+    found: dict[str, set[str]] = {}
+    for each in view.launch.noticed(ArgUnused):
+        found.setdefault(each.place.source.path, set()).add(each.name)
+    return found
 
 
 def _is_same_switch(default: str, value: str) -> bool:

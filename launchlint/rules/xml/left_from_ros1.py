@@ -3,11 +3,12 @@
 What it does: it looks at launch files whose words are those of roslaunch (`type` of a `<node>`, `$(find …)`, `<rosparam>` …) in a package
 that ament alone builds (`<build_type>` in its `package.xml`). One such word, or a `<param>` in `<launch>`, is enough in a file that is
 called as those of ROS 1 are (`robot.launch`) and has not one word of ROS 2. A package that is switched between the two is passed over: its
-build types have conditions, another manifest (`package_ros1.xml`) lies beside `package.xml`, or its `CMakeLists.txt` names catkin. All such
-files of one package are told of at once, and nothing else is said of them. In a workspace of ROS 2 (its files name distributions of ROS 2
-and none of ROS 1, or colcon has built it, and ament builds many of its packages) the packages of catkin wait for being ported, or were
-forgotten: that is one information for all of them. It is an information, too, where a directory is named for ROS 1 (`launch_ros1`),
-and where a file shows the URDF of a package that is not here, and asks nothing else: a CAD program's exporter wrote it.
+build types have conditions, another manifest (`package_ros1.xml`) lies beside `package.xml`, or its `CMakeLists.txt` names catkin, and not
+only variables of it (`${catkin_INCLUDE_DIRS}`). All such files of one package are told of at once, and nothing else is said of them. In a
+workspace of ROS 2 (its files name distributions of ROS 2 and none of ROS 1, or colcon has built it, and ament builds many of its packages)
+the packages of catkin wait for being ported, or were forgotten: that is one information for all of them. It is an information, too, where a
+directory is named for ROS 1 (`launch_ros1`), and where a file shows the URDF of a package that is not here, and asks nothing else: a CAD
+program's exporter wrote it.
 
 ## Why it matters
 
