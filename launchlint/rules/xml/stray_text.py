@@ -2,9 +2,9 @@
 
 Only `<rosparam>` has a text that means anything, and only where it loads YAML that is written there: not beside
 `file=` and not with `command="delete"` or `"dump"`. Everywhere else text between tags is skipped. Text that begins with `#` or
-`//`, as comments do elsewhere, is an info, and so is a whole comment in a `<![CDATA[…]]>`. The same text in several places is told
-once. Text that reads like attributes (`output="screen">`) shows a `>` too early in the tag before it. In ROS 2, no tag has a text that is
-read.
+`//`, as comments do elsewhere, is an info, and so is in a `<![CDATA[…]]>` a whole comment, or a tag without its `<`: somebody switched it
+off. The same text in several places is told once. Text that reads like attributes (`output="screen">`) shows a `>` too early in the tag
+before it. In ROS 2, no tag has a text that is read.
 
 ## Why it matters
 
@@ -48,6 +48,8 @@ from launchlint.syntax.ros2.problems import UnreadText
 RULE = Rule("LL107", "stray-text", Severity.WARNING, fixable="safe")
 
 _ATTRIBUTES = re.compile(r"""(?:[A-Za-z][\w-]*\s?=\s?(?:"[^"<>]*"|'[^'<>]*')\s?)+/?>?""")
+_SWITCHED_OFF = re.compile(r"(?:arg|env|group|include|machine|node|param|remap|rosparam|test) [A-Za-z][\w-]* ?= ?[\"']")
+"""How a tag begins that has lost its ``<``."""
 _QUOTES = ('"', "'")
 
 
@@ -77,6 +79,9 @@ def tell(problem: StrayText | UnreadText, view: object) -> Iterator[Finding]:
     whole = because == "tag" and words.startswith("<!--") and words.endswith("-->") and words.count("-->") == 1
     if whole:
         advice = "a comment needs no <![CDATA[…]]> around it"
+    switched_off = because == "tag" and _SWITCHED_OFF.match(words) is not None and _is_in_cdata(problem.place)
+    if switched_off:
+        advice = "to switch a tag off, make it a comment: <!-- <…> -->"
     of_a_value = because == "tag" and parent in ("param", "env", "arg")
     message = f"this text has no effect: {shown}"
     attributes = because == "tag" and _ATTRIBUTES.fullmatch(words) is not None
@@ -89,13 +94,17 @@ def tell(problem: StrayText | UnreadText, view: object) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         message,
-        severity=Severity.INFO if comment or whole else None,
+        severity=Severity.INFO if comment or whole or switched_off else None,
         label="ignored",
         notes=(reason,),
         help=advice,
         fix=None if attributes else _fix(problem.place, words, comment=comment, of_a_value=of_a_value),
         cause=f"{because} {of_a_value} {parent if attributes else ''} {words}",
     )
+
+
+def _is_in_cdata(place: Place) -> bool:
+    return place.source.text.endswith("<![CDATA[", 0, place.span.start)
 
 
 def _fix(place: Place, words: str, *, comment: bool, of_a_value: bool) -> Fix | None:
@@ -106,7 +115,7 @@ def _fix(place: Place, words: str, *, comment: bool, of_a_value: bool) -> Fix | 
     if comment and "--" not in words and not words.endswith("-") and "\n" not in place.text:
         text = words.lstrip("#/").strip()
         return Fix("make it a comment", True, (Edit(source.path, *span, f"<!-- {text} -->"),))
-    if of_a_value or source.text.endswith("<![CDATA[", 0, span.start):
+    if of_a_value or _is_in_cdata(place):
         return None
     whole = source.with_lines(span)
     start = whole.start if whole != span else len(source.text[: span.start].rstrip(" \t"))
