@@ -2,7 +2,8 @@
 
 Suppressions, baselines and fixes work on the single findings; this is the last step before people see them. A rule whose module has a
 function ``together`` says itself what several of its findings of one cause (worst first) come to; else the first of them speaks for all.
-One with a function ``of_copies`` joins, in a second step, those of its joined findings that say the same of one copy after another.
+One with a function ``of_copies`` joins, in a second step, those of its joined findings that say the same of one copy after another. Last,
+what one idea has brought about is told once: see :mod:`launchlint.check.one_idea`.
 """
 
 from __future__ import annotations
@@ -58,7 +59,8 @@ def told_with_theirs(findings: Iterable[Finding]) -> tuple[Told, ...]:
 
         groups = with_siblings(groups, _knows_copies)
     told = [Told(_told(group) if len(group) > 1 else group[0], tuple(group)) for group in groups]
-    return tuple(sorted([*result, *_of_copies(told)], key=lambda each: total(each.finding)))
+    told = sorted(_of_copies(told), key=lambda each: total(each.finding))
+    return tuple(sorted([*result, *_of_ideas(told)], key=lambda each: total(each.finding)))
 
 
 def _with_copies(groups: Iterable[list[Finding]]) -> list[list[Finding]]:
@@ -91,6 +93,21 @@ def _of_copies(told: Iterable[Told]) -> Iterator[Told]:
     for name, several in by_rule.items():
         copies = _knows_copies(name) if len(several) > 1 else None
         yield from several if copies is None else _standing_for(list(copies([each.finding for each in several])), several)
+
+
+def _of_ideas(told: Sequence[Told]) -> Iterator[Told]:
+    """``told`` of one cause each; one for those of one idea."""
+    if len({each.finding.rule for each in told}) == len(told):
+        yield from told
+        return
+    from launchlint.check.one_idea import by_idea
+
+    for numbers in by_idea([each.finding for each in told]):
+        several = [told[number] for number in numbers]
+        if len(several) == 1:
+            yield several[0]
+        else:
+            yield Told(joined([each.finding for each in several]), tuple(ordered([one for each in several for one in each.of])))
 
 
 def _knows_copies(name: str) -> Callable[[Sequence[Finding]], Iterable[Finding]] | None:

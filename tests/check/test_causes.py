@@ -113,3 +113,18 @@ def test_the_same_line_at_the_same_place_of_files_of_one_name_is_one() -> None:
     short = [of(name, 10, "exec='driver',") for name in ("dog", "eel")]
     told = told_with_theirs([*copied, elsewhere, *short])
     assert [[each.location.line for each in one.of] for one in told] == [[8, 8], [9], [10], [10]]
+
+
+def test_one_sentence_about_one_other_thing_is_one() -> None:
+    """What names nothing beside its own line, or says another thing to do, is a mistake of its own."""
+
+    def of(line: int, arg: str, what: str, path: str = "main.launch") -> Finding:
+        return _at(path, line, f"the arg {arg} {what}", f'<arg name="{arg}" value="1"/>', rule="LL212")._replace(label="refused")
+
+    fixed = [of(line, arg, "is fixed by part.launch") for line, arg in ((1, "low"), (2, "high"))]
+    others = [of(3, "low", "is fixed by other.launch"), of(4, "rate", "is unknown"), of(5, "size", "is unknown")]
+    helped = of(6, "near", "is fixed by part.launch")._replace(help="did you mean far?")
+    elsewhere = of(7, "low", "is fixed by part.launch", path="second.launch")
+    told = told_with_theirs([*fixed, *others, helped, elsewhere])
+    assert [[each.location.line for each in one.of] for one in told] == [[1, 2], [3], [4], [5], [6], [7]]
+    assert told[0].finding.message == "the arg low is fixed by part.launch (and at 1 more place)"

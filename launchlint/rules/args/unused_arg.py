@@ -304,6 +304,14 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
         yield joined(group, group[0]) if len(group) > 1 else group[0]
 
 
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """Files of one name, in several directories, leave the same args unread, which they declare alike."""
+    if finding.rule != RULE.id:
+        return None
+    place, names = finding.location, finding.about or (name_of(finding),)
+    return (posixpath.basename(place.path), place.text.strip(), *names, *finding.notes[:1])
+
+
 def _is_copied(finding: Finding, longer: Finding) -> bool:
     """Whether all args of a told finding are among those of another one of its kind, which is about files of the same directory."""
     kind = (longer.severity, longer.notes[:1], posixpath.dirname(longer.location.path))

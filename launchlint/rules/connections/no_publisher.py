@@ -80,6 +80,7 @@ In ROS 2 a person has to do it.
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -99,3 +100,8 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     repairs = Repairs(view)
     for cause in view.once(causes)["subscriber"]:
         yield tell(RULE, cause, "both nodes run and neither complains, but no message arrives", repairs)
+
+
+def idea(finding: Finding) -> tuple[object, ...]:
+    """In launch files of one directory a node asks for the same name, and misses the same one of another node by as much."""
+    return (posixpath.dirname(finding.location.path), finding.fix is None, *finding.about)

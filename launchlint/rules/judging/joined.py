@@ -28,8 +28,8 @@ def joined(findings: Sequence[Finding], first: Finding | None = None) -> Finding
         related.setdefault(finding.location, Related(finding.location, finding.label or finding.message))
         for item in finding.related:
             related.setdefault(item.location, item)
-    said, known = _said_of(first)
-    more = known + sum(1 + _said_of(finding)[1] for finding in new)  # some of them may speak for several places already
+    said, known = said_of(first)
+    more = known + sum(1 + said_of(finding)[1] for finding in new)  # some of them may speak for several places already
     places = f" (and at {more} more place{'' if more == 1 else 's'})" if more else ""
     return first._replace(
         message=f"{said}{places}",
@@ -47,7 +47,7 @@ def alike(findings: Iterable[Finding], kind: Callable[[Finding], object]) -> Ite
     return found.values()
 
 
-def _said_of(finding: Finding) -> tuple[str, int]:
+def said_of(finding: Finding) -> tuple[str, int]:
     """What a finding says, and of how many places more than its own."""
     found = _MORE.search(finding.message)
     return (finding.message, 0) if found is None else (finding.message[: found.start()], int(found[1]))

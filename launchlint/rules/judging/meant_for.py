@@ -63,6 +63,7 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         topic=topic_of(end) if cause.hub is None else " ".join((_program_of(cause.hub[0], missed), *map("/".join, cause.hub[1]))),
         fix=None if others else repairs.of(missed),
         cause=_cause_of_all(cause),
+        about=(end.name if missed.how == SLIP else end.declared, other.declared, other.name, missed.how),
     )
     return with_sources(found, end, other)
 

@@ -138,6 +138,13 @@ def together(findings: Sequence[Finding]) -> Finding:
     return led_by(findings, "LL215")
 
 
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """Names of one file have the same letter in them that none may have."""
+    if not finding.label:
+        return None
+    return (finding.location.path, finding.label, finding.help.partition(":")[0].partition("=")[0], finding.fix is None)
+
+
 def _told(problem: InvalidNodeName, view: LaunchView) -> str:
     """What it says where a comment of the file names the arg that the name is made of: whoever switches the node on is told to give it."""
     at = spot(view, problem.place)

@@ -88,6 +88,14 @@ def together(findings: Sequence[Finding]) -> Finding:
     return led_by(findings, test_shadows_node.RULE.id)
 
 
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """The params of one node are set twice in the same files: a block of them was pasted, or stands in both."""
+    namespace, name = finding.about[:2] if finding.about[1:] else ("", "/")
+    if not finding.related or not (namespace or "/" not in name):  # a private one of a node whose name is not known has no slash
+        return None
+    return (finding.location.path, finding.related[0].location.path, finding.help, namespace)
+
+
 def _of_many(again: SetAgain, found: Finding, values: dict[tuple[str, object], str]) -> Finding:
     """``found``, of one cause with the one about the value before it, where a parameter has three or more in one launch."""
     cause = values.setdefault((again.name, again.first.place.key), found.cause)
@@ -137,7 +145,7 @@ def _finding(again: SetAgain, severity: Severity) -> Finding:
         else "remove one of the two, or put a condition on the second",
         topic=last,
         cause=f"{_NUMBER.sub('#', last)} {_unnumbered(again.old)} {_unnumbered(again.new) if behind else ''}",
-        about=(again.name.rpartition("/")[0],),
+        about=(again.name.rpartition("/")[0], again.name),
     )
 
 

@@ -92,4 +92,5 @@ def _finding(value: ParameterSetting, child: ParameterSetting, *, value_first: b
         notes=(note,),
         help=f"give one of the two another name, such as {value.name}/value",
         topic=value.name.rsplit("/", 1)[-1],
+        cause=f"{first.origin.place.source.path} {first.origin.place.span.start} {note if value_first else kept}",
     )

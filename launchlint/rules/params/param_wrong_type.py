@@ -136,13 +136,20 @@ def _refused(view: GraphView) -> Iterator[Finding]:
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for a param that one file gives to several nodes of a program (two cameras), each time with a value of the same wrong type, and
-    one for the params that one place gives to a node, all of the same wrong type.
+    """One for the params that one file gives to the nodes of a program (two cameras), each time with a value of the same wrong type; of
+    one node they are named.
     """
-    at_once = [
-        _at_once(several) for several in alike(findings, lambda each: (each.location, each.label, each.help, each.topic.partition(" ")[0]))
-    ]
-    for several in alike(at_once, lambda each: each.key if each.label == _REFUSED else (each.location.path, each.topic, each.label)):
+
+    def node(finding: Finding) -> tuple[object, ...]:
+        place = (finding.location.path, finding.about[0]) if finding.about else finding.location
+        return (place, finding.label, finding.help, finding.topic.partition(" ")[0])
+
+    def program(finding: Finding) -> tuple[object, ...]:
+        said = (finding.location.path, finding.topic.partition(" ")[0], finding.label, finding.help.partition(" ")[0])
+        return finding.key if finding.label == _REFUSED else said
+
+    at_once = [_at_once(several) for several in alike(findings, node)]
+    for several in alike(at_once, program):
         told = joined(several) if len(several) > 1 else several[0]
         yield told if len({each.help for each in several}) == 1 else told._replace(help=f"{told.help}, and the others alike")
 

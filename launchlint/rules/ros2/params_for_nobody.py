@@ -95,6 +95,7 @@ def tell(problem: ParametersForNobody, view: LaunchView) -> Iterator[Finding]:
         ),
         help=f"did you mean {node}?" if problem.near == "spelling" else f"write {node}{every}",
         cause=f"{problem.file.rpartition('/')[0]} namespace" if problem.near == "namespace" else f"{problem.file} {key}",
+        about=(node.split("/")[1],) if problem.near == "namespace" and node.startswith("/") and "/" not in key else (),
     )
 
 
@@ -107,3 +108,8 @@ def _is_of_another(problem: ParametersForNobody, view: LaunchView) -> bool:
     name = problem.key.rpartition("/")[2]
     programs = [each for table in ("executables", "components") for each in known.get(table, {}).values()]
     return any(way.get("node") == name for each in programs for way in each.get("variants", {}).values())
+
+
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """The keys of files of several packages all lack the namespace that the launch files of all of them push."""
+    return finding.about or None

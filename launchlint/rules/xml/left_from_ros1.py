@@ -66,12 +66,13 @@ ported: it speaks of files, params and programs that are no longer there, and mi
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.model import ROS2
-from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.plural import listed
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place
@@ -81,6 +82,7 @@ from launchlint.workspace.other_ros import built_for_ros2, left_over
 _FINDS = late(r"\$\(find ([\w-]{1,200})\)")
 _MODEL = late(r"\$\(find [\w-]{1,200}\)/(?:urdf|robots)/([\w-]{1,200})\.(?:urdf|URDF)\b")
 _NAMED = late(r"(?<![^/])[^/]{0,255}ros_?1(?![0-9])[^/]{0,255}(?=/)")
+_MOST_NAMED = 4
 RULE = Rule("LL115", "left-from-ros1", Severity.WARNING)
 
 
@@ -106,7 +108,20 @@ def check(view: FileView) -> Iterator[Finding]:
         label="for roslaunch",
         notes=("ros2 launch refuses it; nothing else is said of it", *_why(kept, exported)),
         help="remove it, or write it for ros2 launch",
-        cause=f"{shown(package.manifest_path, root_of(document.source))} {'' if kept is None else kept[0]}{exported}",
+        cause=f"ported {'' if kept is None else kept[0]}{exported}",
+        about=(package.name,),
+    )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for all that a port has left, with the names of the packages."""
+    packages = list(dict.fromkeys(name for each in findings for name in each.about))
+    told = joined(findings)
+    if len(packages) < 2:
+        return told
+    return told._replace(
+        message=f"{len(findings)} launch files are for ROS 1, and their packages are built for ROS 2: {listed(packages, _MOST_NAMED)}",
+        help="remove them, or write them for ros2 launch",
     )
 
 
