@@ -16,7 +16,7 @@ from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, parsed, section, sources_and_rest
 from launchlint.workspace.cmake_conditions import truth
 from launchlint.workspace.cmake_exports import Exported, within
-from launchlint.workspace.cmake_installs import install, install_programs
+from launchlint.workspace.cmake_installs import install, install_programs, programs_first
 from launchlint.workspace.cmake_loops import items, zipped
 from launchlint.workspace.cmake_made import MAKING, RUNNING, runs_another_build
 from launchlint.workspace.cmake_scope import OF_VARIABLES, Scope, Value, together
@@ -251,7 +251,7 @@ class _Reader:
         elif name == "install":
             install(self.facts, self.scope, arguments)
         elif name == "catkin_install_python":
-            install_programs(self.facts, self.scope, name, arguments)
+            install_programs(self.facts, self.scope, name, programs_first(arguments))
         elif name == "cs_install_scripts":
             install_programs(self.facts, self.scope, name, ["PROGRAMS", *arguments])
         elif name == "configure_file":

@@ -49,6 +49,21 @@ def install_programs(facts: CMakeFacts, scope: Scope, how: str, arguments: Seque
     _installed(facts, scope, known, False, arguments)
 
 
+def programs_first(arguments: Sequence[Value]) -> list[Value]:
+    """The arguments of ``catkin_install_python`` as ``install`` wants them: it takes every word for a file but DESTINATION, the word behind
+    that, and OPTIONAL, in whatever order they stand (catkin_install_python.cmake).
+    """
+    files: list[Value] = []
+    behind: list[Value] = []
+    words = iter(arguments[1:])
+    for word in words:
+        if word == "DESTINATION":
+            behind = [word, next(words, None)]
+        elif word != "OPTIONAL":
+            files.append(word)
+    return [*arguments[:1], *files, *behind]
+
+
 def _targets(facts: CMakeFacts, arguments: Sequence[Value]) -> None:
     """``install(TARGETS …)``: executables go where RUNTIME says, else where the destination of all is, else to ``bin``."""
     names = section(arguments, "TARGETS", _TARGET_WORDS)
