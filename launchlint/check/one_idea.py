@@ -21,14 +21,15 @@ _NAME = late(r"(?=.{0,500}[/_.])(?=.{0,500}[^\W\d]).{0,500}[^.]")
 
 
 Idea = Callable[[Finding], "tuple[object, ...] | None"]
-"""What is the same for findings of a rule that one idea has brought about; None of one that stands alone."""
+"""What is the same for findings of a rule that one idea has brought about; None of one of which the rule knows no such."""
 
 
 def by_idea(findings: Iterable[Finding]) -> list[list[int]]:
     """The numbers of those ``findings`` that say one thing, together, in the order in which the first of each comes."""
     found: dict[object, list[int]] = {}
     for number, finding in enumerate(findings):
-        idea = (_known(finding.rule) or _sentence)(finding)
+        known = _known(finding.rule)
+        idea = (known and known(finding)) or _sentence(finding)
         found.setdefault(number if idea is None else (finding.rule, finding.severity, *idea), []).append(number)
     return list(found.values())
 

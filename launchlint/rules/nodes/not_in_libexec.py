@@ -150,6 +150,18 @@ def together(findings: Sequence[Finding]) -> Finding:
     )
 
 
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """The packages got another name, all in the same way, and their programs still go to the directories of the old ones."""
+    if finding.rule != RULE.id:
+        return None
+    new, old = finding.about[0].split("_"), finding.about[1].rpartition("/")[2].split("_")
+    same = 0
+    while same < min(len(new), len(old)) and new[-1 - same] == old[-1 - same]:
+        same += 1
+    renamed = new[: len(new) - same], old[: len(old) - same]
+    return tuple("_".join(words) for words in renamed) if same and all(renamed) else None
+
+
 def _kept_back(missing: Missing) -> tuple[str, int | None]:
     """The option without which the program is not built, and the line in which an ``install()`` has it in a comment; of CMake only."""
     package, name = missing.package, missing.node.executable
