@@ -326,6 +326,13 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
     return told_of_copies(findings)
 
 
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """Several packages lack one package, and nothing else, that a file of one name uses in each: one was made from the other."""
+    if not finding.related or finding.severity is Severity.INFO or finding.label != f"no {finding.topic} here":
+        return None
+    return (finding.topic, posixpath.basename(finding.related[0].location.path), finding.fix is None)
+
+
 def _is_beside(name: str, packages: Packages, near: str) -> bool:
     """Whether the package lies in one of the workspaces, and not only in an installation."""
     package = packages.get(name, near)
