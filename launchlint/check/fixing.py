@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.ignores import PerFileIgnores
@@ -22,12 +23,18 @@ from launchlint.named_tuple import NamedTuple
 from launchlint.rules.registry import RULES
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.session import Session
+
+    _Key = tuple[str, str, int, str]
+
 MOST_ATTEMPTS = 200
 """Sets of fixes that are tried. Every one that stays leaves fewer findings, so that there is an end in any case; this bounds the time."""
 FEWEST_ATTEMPTS = 20
 """Sets of fixes that are tried however long the files are."""
 MOST_TEXT = 32 << 20
-"""Bytes of launch files that are checked again, over all attempts, before an attempt beyond the fewest is one too many."""
+"""Bytes of launch files that are checked again, or proved, over all attempts, before an attempt beyond the fewest is one too many."""
 
 
 class Refused(NamedTuple):
@@ -35,6 +42,13 @@ class Refused(NamedTuple):
 
     finding: Finding
     reason: str
+
+
+class _Fault(NamedTuple):
+    """Why a set of fixes cannot stay, and of it those that are to blame as far as that can be told, by what each group did."""
+
+    reason: str
+    blamed: Sequence[Sequence[Finding]] = ()
 
 
 class Fixed(NamedTuple):
@@ -79,12 +93,14 @@ class Fixing:
         self._manifests: dict[str, bytes] = {}
         self._made: list[Finding] = []
         self._refused: list[Refused] = []
+        self._apart: list[Sequence[Finding]] = []
         self._attempts = 0
-        self._text = 0
+        self._read_again = 0
 
     @property
     def _may_try(self) -> bool:
-        return self._attempts < (MOST_ATTEMPTS if self._text < MOST_TEXT else FEWEST_ATTEMPTS)
+        read = self._read_again + self._state.guard.read
+        return self._attempts < (MOST_ATTEMPTS if read < MOST_TEXT else FEWEST_ATTEMPTS)
 
     @property
     def _options(self) -> Options:
@@ -115,7 +131,8 @@ class Fixing:
         """
         paths = _paths(finding)
         if not any(map(_is_manifest, paths)):
-            return self._try([finding])
+            fault = self._try([finding])
+            return "" if fault is None else fault.reason
         for path in paths:
             file = self._file(path)
             try:
@@ -132,35 +149,52 @@ class Fixing:
 
     def _make(self) -> None:
         """Make fixes until none is left that has not been refused."""
+        self._apart = []
         while self._may_try:
             # First what changes nothing, then what changes as little as the mistake did: the guard proves nothing of a mixture.
-            chosen = list(self._chosen(changing=False)) or list(self._chosen(changing=True))
-            if not chosen:
-                return
+            apart = {_key(finding) for group in self._apart for finding in group}
+            chosen = self._chosen(changing=False, without=apart)
+            if not chosen and self._apart:
+                chosen = self._chosen(of={_key(finding) for finding in self._apart.pop(0)})
+            elif not chosen:
+                chosen = self._chosen(changing=True)
+                if not chosen:
+                    return
             self._make_some(chosen)
 
     def _make_some(self, chosen: Sequence[Finding]) -> None:
-        """Make the fixes of ``chosen`` or else of the first part of it that can stay; refuse a single one that cannot."""
+        """Make the fixes of ``chosen``, or else of a part of it that can stay, so that others are tried apart; refuse a single one."""
         while chosen and self._may_try:
             self._attempts += 1
-            reason = self._try(chosen)
-            if not reason:
+            fault = self._try(chosen)
+            if fault is None:
                 return
             if len(chosen) == 1:
-                self._refused.append(Refused(chosen[0], reason))
-            chosen = chosen[: len(chosen) // 2]
+                self._refused.append(Refused(chosen[0], fault.reason))
+                return
+            groups = [group for group in fault.blamed if len(group) < len(chosen)]
+            blamed = {_key(finding) for group in groups for finding in group}
+            rest = [finding for finding in chosen if _key(finding) not in blamed]
+            if not groups:
+                half = len(chosen) // 2
+                rest, groups = list(chosen[:half]), [chosen[half:]]
+            self._apart[:0] = groups
+            chosen = rest
 
-    def _chosen(self, *, changing: bool) -> Iterator[Finding]:
-        """The findings whose fixes can be made together, in report order."""
+    def _chosen(
+        self, *, changing: bool | None = None, of: AbstractSet[_Key] | None = None, without: AbstractSet[_Key] = frozenset()
+    ) -> list[Finding]:
+        """The findings whose fixes can be made together, in report order: those that change something, those that do not, or only some."""
         claims = Claims()
-        refused = {_key(each.finding) for each in self._refused}
-        refused.update(_key(finding) for finding, _ in self._waiting())
+        refused = {*without, *(_key(each.finding) for each in self._refused), *(_key(finding) for finding, _ in self._waiting())}
+        chosen: list[Finding] = []
         for finding in self._wanted():
-            fix = finding.fix
-            if fix is None or bool(fix.changes) is not changing or _key(finding) in refused or any(map(_is_manifest, _paths(finding))):
+            fix, key = finding.fix, _key(finding)
+            if fix is None or key in refused or (of is not None and key not in of) or any(map(_is_manifest, _paths(finding))):
                 continue
-            if claims.take(fix.edits):
-                yield finding
+            if changing in (None, _changes(finding)) and claims.take(fix.edits):
+                chosen.append(finding)
+        return chosen
 
     def _waiting(self) -> Iterator[tuple[Finding, Finding]]:
         """What would be removed as useless from a file with an error, which may be why nothing uses it; each with that error."""
@@ -180,7 +214,7 @@ class Fixing:
             return False
         return all(self._may_change(self._file(path)) for path in _paths(finding))
 
-    def _try(self, chosen: Sequence[Finding]) -> str:
+    def _try(self, chosen: Sequence[Finding]) -> _Fault | None:
         """Make the fixes of ``chosen``; why not, where they cannot all stay (then nothing has happened)."""
         edits = _by_path(chosen)
         texts: dict[str, bytes] = {}
@@ -189,28 +223,28 @@ class Fixing:
                 file = self._file(path)
                 texts[file] = apply(self._state.text(file), listed)
         except CannotEdit as error:
-            return str(error)
-        if not all(finding.fix is not None and finding.fix.changes for finding in chosen):
-            guard = Guard(self._state.checker.session, self._state.callers)
-            for file, text in texts.items():
-                reason = guard.refusal(file, self._state.text(file), text)
-                if reason:
-                    return reason
+            return _Fault(str(error))
+        if not all(map(_changes, chosen)):
+            reasons = self._state.guard.refusals(texts)
+            if reasons:
+                first = {self._file(path): path for path in edits}
+                return _Fault(next(iter(reasons.values())), _by_file(chosen, [first[file] for file in reasons]))
         state = self._state.after(texts)
-        self._text += state.read_again
+        self._read_again += state.read_again
         outcome = self._merged(state)
         shifts = {path: Shift(listed) for path, listed in edits.items()}
         # A dependency that package.xml lacks now is added in the end.
         expected = [each for each in outcome.findings if not (self._is_wanted(each) and all(map(_is_manifest, _paths(each))))]
-        reason = _reason(self._outcome.findings, expected, chosen, shifts)
-        if reason:
-            return reason
+        fault = _fault(self._outcome.findings, expected, chosen, shifts)
+        if fault is not None:
+            return fault
         for file in texts:
             self._before.setdefault(file, self._state.text(file))
         self._state, self._outcome = state, outcome
         self._made += chosen
         self._refused = [Refused(_moved(each.finding, shifts), each.reason) for each in self._refused]
-        return ""
+        self._apart = [[_moved(finding, shifts) for finding in group] for group in self._apart]
+        return None
 
     def _merged(self, state: _State) -> Outcome:
         checker = state.checker
@@ -266,10 +300,11 @@ def _all(result: EntryResult) -> Iterator[Finding]:
 class _State:
     """The files as they are at one point, and what was found in them. ``read_again``: bytes of the files that were checked for it."""
 
-    def __init__(self, checker: EntryChecker, results: list[EntryResult], read_again: int = 0) -> None:
+    def __init__(self, checker: EntryChecker, results: list[EntryResult], read_again: int = 0, guard: Guard | None = None) -> None:
         self.checker = checker
         self.results = results
         self.read_again = read_again
+        self.guard = guard or Guard(checker.session, _Callers(checker.session, results))
 
     def text(self, file: str) -> bytes:
         """What ``file`` holds; raises CannotEdit."""
@@ -287,18 +322,31 @@ class _State:
         read = Counter(file.path for each, anew in zip(results, again, strict=True) if anew for file in each.files)
         root, session = checker.options.root, checker.session
         read_again = sum(times * len(session.read(os.path.join(root, path)).data or b"") for path, times in read.items())
-        return _State(checker, results, read_again)
-
-    def callers(self, file: str) -> Iterator[Caller]:
-        """The entry files that lead to ``file``, with the args they are given."""
-        path = self.checker.session.shown(file)
-        for result in self.results:
-            if any(each.path == path for each in result.files):
-                yield Caller(result.request.at, result.request.arguments)
+        return _State(checker, results, read_again, self.guard.holding(texts, _Callers(session, results)))
 
 
-def _key(finding: Finding) -> tuple[str, str, int, str]:
+class _Callers:
+    """The entry files that lead to a file, with the args they are given."""
+
+    def __init__(self, session: Session, results: Iterable[EntryResult]) -> None:
+        self._session = session
+        self._by_path: dict[str, list[Caller]] = {}
+        for result in results:
+            for path in dict.fromkeys(each.path for each in result.files):
+                self._by_path.setdefault(path, []).append(Caller(result.request.at, result.request.arguments))
+
+    def __call__(self, file: str) -> Iterable[Caller]:
+        """Those of ``file``."""
+        return self._by_path.get(self._session.shown(file), ())
+
+
+def _key(finding: Finding) -> _Key:
     return (finding.rule, finding.location.path, finding.location.start, finding.topic)
+
+
+def _changes(finding: Finding) -> bool:
+    """Whether the fix of a finding is one that makes the launcher do something else."""
+    return finding.fix is not None and bool(finding.fix.changes)
 
 
 def _paths(finding: Finding) -> list[str]:
@@ -324,25 +372,44 @@ def _moved(finding: Finding, shifts: Mapping[str, Shift]) -> Finding:
     return finding if shift is None else finding._replace(location=at._replace(start=shift(at.start), end=shift(at.end)))
 
 
-def _reason(before: Sequence[Finding], after: Sequence[Finding], fixed: Sequence[Finding], shifts: Mapping[str, Shift]) -> str:
-    """Why the fixes of ``fixed`` must be taken back: one of them leaves its finding, or brings another one."""
-    gone = {_key(_moved(finding, shifts)) for finding in fixed}
-    known: dict[tuple[str, str, int, str], int] = {}
+def _by_file(chosen: Sequence[Finding], paths: Sequence[str]) -> list[list[Finding]]:
+    """The findings of ``chosen`` whose fixes change one of ``paths``, by the first such."""
+    groups: dict[str, list[Finding]] = {path: [] for path in paths}
+    for finding in chosen:
+        path = next((path for path in _paths(finding) if path in groups), None)
+        if path is not None:
+            groups[path].append(finding)
+    return list(groups.values())
+
+
+def _fault(before: Sequence[Finding], after: Sequence[Finding], fixed: Sequence[Finding], shifts: Mapping[str, Shift]) -> _Fault | None:
+    """Why the fixes of ``fixed`` must be taken back: some leave their finding, or bring another one where they change a file."""
+    gone = {_key(_moved(finding, shifts)): finding for finding in fixed}
+    known: dict[_Key, int] = {}
     said: Counter[tuple[str, str, str]] = Counter()
     for finding in before:
         key = _key(_moved(finding, shifts))
         known[key] = max(known.get(key, 0), int(finding.severity))
         said[_words(finding)] += 1
+    reasons: list[str] = []
+    left: dict[_Key, Finding] = {}
     for finding in after:
         key = _key(finding)
         if key in gone:
-            return f"{_name(finding)} would still be found"
+            reasons.append(f"{_name(finding)} would still be found")
+            left[key] = gone[key]
         said[_words(finding)] -= 1
-    for finding in after:
+    blamed = [[finding] for finding in left.values()]
+    paths: dict[str, None] = {}
+    for finding in after if not left else ():
         # What says the same as often as before has only moved; of infos there may be more, as of what is now seen for the first time.
         if finding.severity > Severity.INFO and int(finding.severity) > known.get(_key(finding), 0) and said[_words(finding)] < 0:
-            return f"{_name(finding)} would be found in line {finding.location.line} of {finding.location.path}: {finding.message}"
-    return ""
+            at = finding.location
+            reasons.append(f"{_name(finding)} would be found in line {at.line} of {at.path}: {finding.message}")
+            paths.update(dict.fromkeys((at.path, *(each.location.path for each in finding.related))))
+    if paths:
+        blamed = [group for group in _by_file(fixed, list(paths)) if group]
+    return _Fault(reasons[0], blamed) if reasons else None
 
 
 def _words(finding: Finding) -> tuple[str, str, str]:

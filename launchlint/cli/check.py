@@ -25,7 +25,7 @@ from launchlint.project.asked import EntryOptions
 )
 @click.option("--fail-on", default="error", show_default=True, metavar="LEVEL", help="Least severity that makes the exit status 1.")
 @click.option("--exit-zero", is_flag=True, help="Exit with status 0 whatever is found.")
-@click.option("--fix", is_flag=True, help="Repair what can be repaired for certain, and tell of the rest.")
+@click.option("--fix", is_flag=True, help="Repair what can be repaired for certain, in 200 attempts at most, and tell of the rest.")
 @click.option("--unsafe-fixes", is_flag=True, help="As --fix, and repair what is likely too: read the difference afterwards.")
 @click.option("--diff", is_flag=True, help="Show what --fix (or --unsafe-fixes) would change, and change nothing.")
 @click.option("--baseline", metavar="FILE", help="Leave out the findings recorded in FILE.")

@@ -200,6 +200,7 @@ class Block:
             self._sides = frozenset(sides)
         return self._sides
 
-    def is_made_of(self, file: str) -> bool:
-        """Whether it hangs on what ``file`` (absolute) holds."""
-        return file in self.touched or self.document.source.file == file or os.path.abspath(self.document.source.file) == file
+    def is_made_of(self, files: frozenset[str]) -> bool:
+        """Whether it hangs on what one of ``files`` (absolute) holds."""
+        file = self.document.source.file
+        return not self.touched.isdisjoint(files) or file in files or os.path.abspath(file) in files

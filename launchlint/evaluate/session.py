@@ -125,13 +125,14 @@ class Session:
         """
         changed = {os.path.abspath(file): data for file, data in texts.items()}
         session = Session(self.packages, self.environment, self.root, distro=self.asked_distro)
+        names = frozenset(changed)
         overlay = {**self.overlay, **changed}
         session.overlay = {name: data for name, data in overlay.items() if data is not None}
         session._meant = self._meant
         session._reads = {name: read for name, read in list(self._reads.items()) if name not in changed}
         session._documents = {name: known for name, known in list(self._documents.items()) if name not in changed}
         session._readings = {name: known for name, known in list(self._readings.items()) if name not in changed}
-        session.blocks = {key: block for key, block in list(self.blocks.items()) if not any(map(block.is_made_of, changed))}
+        session.blocks = {key: block for key, block in list(self.blocks.items()) if not block.is_made_of(names)}
         session.checkpoint = self.checkpoint
         return session
 

@@ -10,11 +10,14 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.session import Read
+from launchlint.named_tuple import NamedTuple
 from launchlint.syntax.tree import Document, Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from typing_extensions import Self
 
 _ABOUT = {
     "remap": "from", "env": "name", "machine": "name", "param": "name", "rosparam": "param", "node": "name", "test": "test-name",
@@ -29,6 +32,26 @@ _IN_SCOPE = frozenset({"remap", "env"})
 """Tags of these that matter to nothing outside of their parent."""
 
 
+class Shown(NamedTuple):
+    """What one evaluation shows of its entry file: the elements that are ``taken``, and where nodes start that have a name or none."""
+
+    taken: frozenset[int]
+    named: frozenset[int]
+    nameless: frozenset[int]
+
+    @classmethod
+    def of(cls, evaluation: Evaluation) -> Self:
+        """Of ``evaluation``."""
+        path = evaluation.launch.entry.path
+        named: set[int] = set()
+        nameless: set[int] = set()
+        for node in (*evaluation.launch.nodes, *evaluation.launch.tests):
+            place = node.origin.place
+            if place.source.path == path:
+                (named if node.knows("name", "namespace") else nameless).add(place.span.start)
+        return cls(frozenset(evaluation.visited.get(path, ())), frozenset(named), frozenset(nameless))
+
+
 class Hidden:
     """Collects what the evaluations of one text show, and compares the rest with that of another text."""
 
@@ -38,16 +61,11 @@ class Hidden:
         self._named: set[int] = set()
         self._nameless: set[int] = set()
 
-    def see(self, evaluation: Evaluation) -> None:
-        """Take note of what ``evaluation`` shows."""
-        if self._document is None:
-            return
-        source = self._document.source
-        self._taken.update(evaluation.visited.get(source.path, ()))
-        for node in (*evaluation.launch.nodes, *evaluation.launch.tests):
-            place = node.origin.place
-            if place.source.path == source.path:
-                (self._named if node.knows("name", "namespace") else self._nameless).add(place.span.start)
+    def see(self, shown: Shown) -> None:
+        """Take note of what one evaluation shows."""
+        self._taken.update(shown.taken)
+        self._named.update(shown.named)
+        self._nameless.update(shown.nameless)
 
     def difference(self, other: Hidden) -> str:
         """Why what was never seen is not the same in ``other``, in one sentence; empty where it is, or there is nothing of it."""

@@ -147,7 +147,7 @@ def _left_open(launch: Launch) -> Iterable[Facts]:
     unfollowed = [each for each in launch.includes if each.source is None or each.file not in followed]
     undecided = any(branch.taken is None for branch in launch.branches)
     for namespace in launch.more_parameters:
-        yield (("name", "parameters of unknown names"), ("namespace", namespace))
+        yield (("name", "parameters of unknown names"), ("namespace", namespace.rstrip("/") or "/"))  # as roslaunch.names.ns_join takes it
     if not unfollowed and not undecided and launch.complete:
         return
     starts = _starts(unfollowed)

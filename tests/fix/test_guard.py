@@ -25,6 +25,9 @@ SAME: dict[str, tuple[str, str]] = {
         '<param name="a" value="1"/><param name="b" value="2"/>', '<param name="b" value="2"/><param name="a" value="1"/>',
     ),
     "a parameter set twice to the same": ('<param name="a" value="1"/><param name="a" value="1"/>', '<param name="a" value="1"/>'),
+    "the end of the namespace of parameters that are not known": (
+        '<rosparam file="$(find nowhere)/x.yaml" ns="a"/>', '<rosparam file="$(find nowhere)/x.yaml" param="a"/>',
+    ),
     "a number in another spelling": ('<param name="a" value="1.0"/>', '<param name="a" value="1.00"/>'),
     "an unknown attribute": ('[[n outputt="screen"]]', "[[n]]"),
     "a group around nothing that scopes": ("[[n]]", "<group>[[n]]</group>"),
@@ -205,7 +208,7 @@ CHANGED: dict[str, tuple[str, str, str]] = {
     ),
     "the namespace of parameters that are not known": (
         '<rosparam file="$(find nowhere)/x.yaml" ns="a"/>', '<rosparam file="$(find nowhere)/x.yaml" ns="b"/>',
-        "the unresolved item 'parameters of unknown names' would change: namespace from '/a/' to '/b/'",
+        "the unresolved item 'parameters of unknown names' would change: namespace from '/a' to '/b'",
     ),
     "a remap before an include that is not here": (
         '<remap from="a" to="b"/><include file="$(find nowhere)/x.launch"/>',
@@ -294,6 +297,50 @@ def test_what_only_a_file_that_includes_it_shows(tmp_path: Path) -> None:
         assert Guard(session).refusal(*edit) == ""
         guard = Guard(session, lambda each: [Caller(str(tmp_path / MAIN))] if each == file else [])
         assert guard.refusal(*edit) == f"the parameter '/n/b' would be gone (with {MAIN})"
+
+
+PRIVATE = '<param name="~{}" value="1"/>'
+"""It acts on the nodes after the include of the file that it ends."""
+
+
+def test_edits_of_many_files_are_proved_together(tmp_path: Path) -> None:
+    """Refused is what changes something: by itself, where one includes it, or together with others, of which the first may stay."""
+    leaves = {"one.launch": "a", "two.launch": "a", "three.launch": "b"}
+    files = {
+        **{name: PRIVATE.format(param) for name, param in leaves.items()},
+        "shown.launch": '<param name="c" value="1"/>',
+        "same.launch": "[[m]]",
+    }
+    includes = "".join(f'<include file="{name}"/>' for name in files)
+    write(case(f'<param name="~d" value="1"/>{includes}[[n]]', files=files), tmp_path)
+    file = {name: str(tmp_path / name) for name in files}
+    with inside(tmp_path):
+        guard = Guard(session_in(tmp_path), lambda _: [Caller(str(tmp_path / MAIN))])
+        empty = {file[name]: content(name, "") for name in (*leaves, "shown.launch")}
+        refused = guard.refusals({**empty, file["same.launch"]: content("same.launch", "[[m]] ")})
+        read = guard.read
+        again = guard.refusals({file[name]: empty[file[name]] for name in ("one.launch", "three.launch", "shown.launch")})
+    assert refused == {
+        file["two.launch"]: f"the parameter '/m/a' would be gone (with {MAIN})",
+        file["three.launch"]: f"the parameter '/m/b' would be gone (with {MAIN})",
+        file["shown.launch"]: "the parameter '/c' would be gone",
+    }
+    assert again == {name: reason for name, reason in refused.items() if name != file["two.launch"]}
+    assert guard.read == read, "what was asked before is known"
+
+
+def test_what_no_edit_has_reached_is_known_afterwards(tmp_path: Path) -> None:
+    parts = {"a.launch": "[[a]]", "b.launch": "[[b]]"}
+    write(case("", files=parts), tmp_path)
+    a, b = (str(tmp_path / name) for name in parts)
+    with inside(tmp_path):
+        guard = Guard(session_in(tmp_path))
+        assert guard.refusals({a: content("a.launch", "[[a]] "), b: content("b.launch", "")}) == {b: "the node '/b' would be gone"}
+        later = guard.holding({a: content("a.launch", "[[c]]")}, lambda _: [])
+        assert later.refusals({b: content("b.launch", "")}) == {b: "the node '/b' would be gone"}
+        assert later.read == guard.read
+        assert later.refusals({a: content("a.launch", "[[a]]")}) == {a: "the node '/c' would be gone"}
+    assert later.read > guard.read
 
 
 @pytest.mark.parametrize("caller", ["a.launch", "z.launch"])

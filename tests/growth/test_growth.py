@@ -89,3 +89,22 @@ def test_other_commands(words: tuple[str, ...], name: str, tmp_path: Path) -> No
         build(construct, size, directory)
         counts.append(calls((*words, construct.entry), directory, {**LISTS, **FIXING, **(WORK if construct.product else {})}))
     assert exponent(counts) <= STEEPEST, counts
+
+
+def test_fixes_of_many_files_that_others_include(tmp_path: Path) -> None:
+    """Each launch file that shows the fixes is asked once for all of them, though one of them cannot stay."""
+    counts = []
+    for size in (10, 20, 40):
+        directory = tmp_path / str(size)
+        launch = directory / "launch"
+        launch.mkdir(parents=True)
+        (directory / "package.xml").write_text("<package><name>p</name></package>\n")
+        for number in range(size):
+            part = '<node if="false" name="m" pkg="p" type="t"><rosparam ns="a">{b: 1}</rosparam></node>' if number == 3 else ""
+            part += f'<node name="n{number}" pkg="p" type="t"><rosparam ns="a">{{b: $(arg x)}}</rosparam></node>'
+            (launch / f"part_{number}.launch").write_text(f'<launch><arg name="x" default="1"/>{part}</launch>\n')
+        includes = "".join(f'<include file="$(dirname)/part_{number}.launch"/>' for number in range(size))
+        for number in range(5):
+            (launch / f"all_{number}.launch").write_text(f"<launch>{includes}</launch>\n")
+        counts.append(calls(("check", "--no-cache", "--jobs", "1", "--diff", "launch"), directory, {}))
+    assert log2((counts[2] - counts[1]) / (counts[1] - counts[0])) <= STEEPEST, counts
