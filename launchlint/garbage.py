@@ -38,6 +38,24 @@ def left_to_quiet_moments() -> Iterator[None]:
         gc.unfreeze()
 
 
+@contextmanager
+def made_to_stay() -> Iterator[None]:
+    """What is made now, from what was kept on disk, is no garbage: nobody looks through it until :func:`let_go`."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        if was_on:
+            gc.enable()
+
+
+def let_go() -> None:
+    """What was made to stay may go."""
+    gc.unfreeze()
+
+
 def look(*, thoroughly: bool) -> None:
     """Look among all objects, or only among new ones, where there are enough of these."""
     if thoroughly:

@@ -33,3 +33,13 @@ def test_what_is_left_to_quiet_moments_is_looked_for_then(monkeypatch: pytest.Mo
         assert old() is None
     assert gc.get_threshold() == before
     assert gc.get_freeze_count() == 0
+
+
+def test_what_is_made_to_stay_is_not_looked_through() -> None:
+    with garbage.made_to_stay():
+        assert not gc.isenabled()
+        kept = [[number] for number in range(1_000)]
+    assert gc.isenabled()
+    assert gc.get_freeze_count() >= len(kept)
+    garbage.let_go()
+    assert gc.get_freeze_count() == 0

@@ -22,6 +22,7 @@ from launchlint.check.gathered import AtFile, Member, Standing, files_shown, gat
 from launchlint.check.merge import is_part
 from launchlint.check.options import EntryRequest
 from launchlint.check.rows import BROKEN, SEAL, dump, sealed
+from launchlint.garbage import made_to_stay
 from launchlint.workspace.states import Look
 
 _TOGETHER = "whole"
@@ -40,7 +41,7 @@ class Groups:
             self._keys.setdefault(_directory(request.file), []).append(key)
         self._fits = True
         self.forget()
-        with suppress(*BROKEN):
+        with made_to_stay(), suppress(*BROKEN):
             self._read()
 
     def forget(self) -> None:

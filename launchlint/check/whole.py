@@ -10,6 +10,7 @@ from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.merge import Outcome, Seen, is_part, merge, overview, parts, told, without
 from launchlint.check.options import EntryRequest
 from launchlint.check.run import Progress, ReadingProgress, check_entries, check_missing, uses_cache
+from launchlint.garbage import let_go
 from launchlint.workspace.looking import watched
 
 TYPE_CHECKING = False
@@ -60,6 +61,7 @@ def check_whole(
         return outcome
     finally:
         cache.close()
+        let_go()
 
 
 def _told(
