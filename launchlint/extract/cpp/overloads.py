@@ -10,13 +10,14 @@ from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.relevance import Relevance
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, POINTERS, TEXTS, Type
 from launchlint.extract.cpp.syntax import Node
-from launchlint.extract.cpp.values import UNKNOWN, Argument, Callable, Closure, Handle, Number, Text, Thing, Value, choices
+from launchlint.extract.cpp.values import UNKNOWN, Argument, Callable, Closure, Handle, Number, Text, Thing, choices
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
+_KINDS = (TEXTS, DOUBLES, INTEGERS, frozenset(("bool",)))
 _ANY_TYPE = 2
 """How well a parameter fits whose type is one of the function's own template: better than what has to be converted."""
 
@@ -65,19 +66,20 @@ def _fit(machine: Machine, function: Function, given: Sequence[Argument]) -> int
     if not needed <= len(given) <= len(parameters):
         score -= 100
     for parameter, argument in zip(parameters, given, strict=False):
-        score += _ANY_TYPE if parameter.type.name in function.template else _fits(parameter.type, argument.value)
+        score += _ANY_TYPE if parameter.type.name in function.template else _fits(parameter.type, argument)
     return score
 
 
-def _fits(type_: Type, value: Value) -> int:
-    name = type_.name
+def _fits(type_: Type, argument: Argument) -> int:
+    name, value = type_.name, argument.value
     first = choices(value)[0][1] if choices(value) else UNKNOWN
     if isinstance(first, Text):
         return 4 if name in TEXTS else -3 if name in DOUBLES or name in INTEGERS or name == "bool" or "NodeHandle" in name else 0
     if isinstance(first, Number):
         if isinstance(first.value, bool):
             return 4 if name == "bool" else 0 if name in INTEGERS else -2
-        return 3 if name in DOUBLES or name in INTEGERS else 1 if name == "bool" else -3
+        exact, converted = (DOUBLES, INTEGERS) if isinstance(first.value, float) else (INTEGERS, DOUBLES)
+        return 4 if name in exact else 2 if name in converted else 1 if name == "bool" else -3
     if isinstance(first, Handle):
         called = "NodeHandle" if first.node is None else "Node"
         return 4 if called in name or (type_.arguments and called in type_.arguments[0].name) else -4
@@ -86,7 +88,17 @@ def _fits(type_: Type, value: Value) -> int:
         return 4 if inner == first.type.last else -2 if name in TEXTS or name in DOUBLES or name in INTEGERS else 0
     if isinstance(first, (Callable, Closure)):
         return 3 if "function" in name else -2 if name in TEXTS or name in INTEGERS else 0
-    return 0
+    declared = "" if argument.cell is None else argument.cell.type.name
+    return _of_one_kind(name, declared) if first is UNKNOWN and declared else 0
+
+
+def _of_one_kind(name: str, declared: str) -> int:
+    """How well a parameter fits a variable of which only the type is known."""
+    kinds = [next((kind for kind in _KINDS if each in kind), frozenset((each,))) for each in (name, declared)]
+    if kinds[0] == kinds[1]:
+        return 4
+    plain = [kind in _KINDS for kind in kinds]
+    return 0 if not all(plain) else -3 if TEXTS in kinds else 1
 
 
 def with_defaults(machine: Machine, function: Function) -> dict[int, Node]:
