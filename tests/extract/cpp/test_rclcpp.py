@@ -831,18 +831,18 @@ int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::m
 def test_a_specialisation_is_chosen_by_the_type_of_its_argument(tmp_path: Path) -> None:
     """A number with a point is a double, whichever specialisation comes first; so is a variable of that type whose value is not known."""
     kinds = {"int": "INTEGER", "double": "DOUBLE", "std::string": "STRING", "bool": "BOOL"}
-    head = "template <typename T> T get_param(rclcpp::Node * node, std::string name, T fallback) = delete;\n" + "".join(
-        f"template <> inline {type_} get_param(rclcpp::Node * node, std::string name, {type_} fallback) {{\n"
+    head = "template <typename T> T get(rclcpp::Node * node, std::string name, T fallback) = delete;\n" + "".join(
+        f"template <> inline {type_} get(rclcpp::Node * node, std::string name, {type_} fallback) {{\n"
         f"  node->declare_parameter(name, rclcpp::PARAMETER_{kind});\n  return fallback;\n}}\n"
         for type_, kind in kinds.items()
     )
     body = """
     double measured = measure();
-    get_param(this, "height", 0.5);
-    get_param(this, "number", 2);
-    get_param(this, "frame", std::string("map"));
-    get_param(this, "shown", true);
-    get_param(this, "measured", measured);
+    get(this, "height", 0.5);
+    get(this, "number", 2);
+    get(this, "frame", std::string("map"));
+    get(this, "shown", true);
+    get(this, "measured", measured);
 """
     facts, _, _ = follow(tmp_path, node(body).replace("class Talker", f"{head}double measure();\nclass Talker", 1))
     assert {fact.name.lstrip("~"): fact.value_type for fact in facts if fact.category == "params"} == {

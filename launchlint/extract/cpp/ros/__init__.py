@@ -146,6 +146,10 @@ def handle_method(handle: Handle, asked: Call) -> Value | None:
     return None if method_ is None else method_(handle, asked)
 
 
+_OF_POINTERS = frozenset(("get", "lock"))
+"""What a pointer to a node has, and the node itself has not: a function of the program may be called so."""
+
+
 def own_method(this: Thing, asked: Call) -> Value | None:
     """A member function that an object has from a base class of ROS; None where that is not known."""
     machine = asked.machine
@@ -153,7 +157,8 @@ def own_method(this: Thing, asked: Call) -> Value | None:
     if answer is not None:
         return answer
     held = this.fields.get("<handle>")
-    if held is not None and isinstance(held.value, Handle) and asked.name in machine.tables.of_handle:
+    is_member = asked.name in machine.tables.of_handle and asked.name not in _OF_POINTERS
+    if held is not None and isinstance(held.value, Handle) and is_member:
         return handle_method(held.value, asked)
     if this.declared is not None:
         for declared in [this.declared, *machine.names.bases(this.declared.name)]:
