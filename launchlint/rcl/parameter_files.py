@@ -40,6 +40,7 @@ TYPES = {"bool": "true or false", "int": "a whole number", "double": "a number w
 _FORM = f"write the name of a node (or /** for all), below it {PARAMETERS}, and below that the names with their values"
 
 _FLAT = "a list holds no lists: write all values into one list, or give each list a name of its own"
+_UNMAPPED = "a list holds no mappings: give each of them a name, so that its keys are params (subscribers.first.topic)"
 
 
 class _Stop(Exception):
@@ -79,14 +80,15 @@ def add_events(given: Iterable[Event], source: Source, table: Table) -> Refused 
 class _Reading:
     """Where rcl stands in a file.
 
-    ``in_parameters``: below ``ros__parameters``. ``nested``: the last list was the first in another one. ``node`` and ``namespace`` are
+    ``in_parameters``: below ``ros__parameters``. ``nested``: the last list was the first in another one. ``maps``: a mapping
+    stands in this list. ``node`` and ``namespace`` are
     names that grow part by part; each knows by a count of its own of how many keys it is made, and rcl takes them back by looking for the
     last separator, whether or not a key held one.
     """
 
     __slots__ = (
         *("count", "depth", "in_list", "in_parameters", "key", "key_comes", "list_start", "list_type", "node_span", "namespace"),
-        *("nested", "new_mapping", "node", "place", "source", "table", "values"),
+        *("maps", "nested", "new_mapping", "node", "place", "source", "table", "values"),
     )
 
     def __init__(self, source: Source, table: Table) -> None:
@@ -98,6 +100,7 @@ class _Reading:
         self.new_mapping = False
         self.in_list = False
         self.nested = False
+        self.maps = False
         self.list_type = ""
         self.values: list[Scalar] = []
         self.list_start = 0
@@ -121,6 +124,7 @@ class _Reading:
         elif kind == events.MAPPING_START:
             self.depth += 1
             self.key_comes = True
+            self.maps = self.in_list
             # The mapping of ros__parameters itself is no namespace of parameters.
             self.new_mapping = not (self.in_parameters and self.depth - (self.node[1] + 1) == 2)
         elif kind == events.MAPPING_END:
@@ -132,6 +136,7 @@ class _Reading:
                 raise _Stop(f"a list stands outside of {PARAMETERS}", event)
             self.nested = self.in_list
             self.in_list = True
+            self.maps = False
             self.list_type = ""
             self.list_start = event.start
         elif kind == events.SEQUENCE_END:
@@ -210,6 +215,7 @@ class _Reading:
         else:
             first, this = TYPES[self.list_type], TYPES[value.type]
             instead = _ALIKE.get(frozenset((self.list_type, value.type)), "put quotes around all items that are meant as texts")
+            instead = _UNMAPPED if self.maps else instead
             raise _Stop(f"all items of a list must be of one type: the first is {first}, this is {this}", event, instead)
 
     def _list_ends(self, event: Event) -> None:
