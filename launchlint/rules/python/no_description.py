@@ -46,6 +46,12 @@ from launchlint.syntax.ros2.python.problems import NoDescription, NotAnAction
 
 RULE = Rule("LL932", "no-description", Severity.ERROR, roslaunch="refuses")
 _LAUNCH = re.compile(r"^[ \t]*(?:from|import)[ \t]+launch", re.MULTILINE)
+_SPREAD = "write * before it to put its items there"
+_INSTEAD = {
+    "a list": _SPREAD,
+    "a tuple": _SPREAD,
+    "a tuple of one item": "remove the comma behind the item, which is what makes it a tuple",
+}
 _ENTRY = "generate_launch_description"
 
 
@@ -58,7 +64,7 @@ def tell(problem: NoDescription | NotAnAction, view: object) -> Iterator[Finding
             severity=level(problem),
             label="no action",
             notes=stops("an AttributeError when it comes to it"),
-            help="write * before it to put its items there" if problem.found == "a list" else "take it out, or make it an action",
+            help=_INSTEAD.get(problem.found, "take it out, or make it an action"),
         )
         return
     message, advice, note = _said(problem)

@@ -198,11 +198,29 @@ def _as_written(value: Value) -> str:
 
 def _items(given: Given, value: Seq, node: ast.expr | None, place: Place) -> Iterator[tuple[ast.expr | None, Value, Place]]:
     """The items of a list, each with the place where it is written, as far as that can be told."""
-    written = node.elts if isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) == len(value.items) else ()
-    plain = written and not any(isinstance(each, ast.Starred) for each in written)
-    for number, item in enumerate(value.items):
-        inner = written[number] if plain else None
+    for inner, item in zip(_written(node, len(value.items), sure=value.is_sure), value.items, strict=True):
         yield inner, item, place if inner is None else given.place(inner)
+
+
+def _written(node: ast.expr | None, count: int, *, sure: bool) -> list[ast.expr | None]:
+    """The expressions of the ``count`` items of a list, of which there may be more where it is not ``sure``; None where that is elsewhere.
+
+    They are told from both ends of a list in brackets that takes in others (``[first, *others, last]``, ``others + [last]``).
+    """
+    nowhere: list[ast.expr | None] = [None] * count
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and isinstance(node.right, (ast.List, ast.Tuple)) and sure:
+        last = node.right.elts
+        if len(last) > count or any(isinstance(each, ast.Starred) for each in last):
+            return nowhere
+        return [*_written(node.left, count - len(last), sure=sure), *last]
+    if not isinstance(node, (ast.List, ast.Tuple)):
+        return nowhere
+    starred = [number for number, each in enumerate(node.elts) if isinstance(each, ast.Starred)]
+    if not starred:
+        return list(node.elts) if len(node.elts) == count else nowhere
+    first, last = node.elts[: starred[0]], node.elts[starred[-1] + 1 :]
+    between = count - len(first) - len(last)
+    return [*first, *nowhere[:between], *last] if sure and between >= 0 else nowhere
 
 
 def _texts(given: Given, name: str, value: Value) -> Iterator[Problem]:
@@ -391,7 +409,7 @@ def wrong_action(holder: str, item: Value, where: Place) -> Iterator[Problem]:
     """What is wrong with one of the actions that ``holder`` is given."""
     found = "" if isinstance(item, Handle) else spelled(item)
     if isinstance(item, Seq):
-        found = "a list"
+        found = "a list" if not item.is_tuple else "a tuple of one item" if len(item.items) == 1 and item.is_sure else "a tuple"
     elif isinstance(item, str):
         found = "a text"
     elif isinstance(item, Handle) and (is_substitution(item) or item.kind in _NO_ACTIONS):
