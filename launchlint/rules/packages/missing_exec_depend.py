@@ -107,6 +107,7 @@ from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.looking import is_file, question
 from launchlint.workspace.public_packages import public_names
+from launchlint.workspace.registered_tests import registering
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -133,6 +134,7 @@ _CONTROLLERS = "ros_controllers.launch"
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
+_TESTS = "runs a test"
 _OF_TESTS = late(r"(?:^|[/_.-])tests?(?:[/_.-]|$)")
 _FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
 """As an expression asks for a package."""
@@ -156,9 +158,10 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     declared = set(home.run_dependencies)
     is_test = _is_test_of_ros2(document, home) if ros2 else _is_test(document, home)
-    if is_test:
-        declared |= home.test_dependencies
-    missing = [name for name in wanted if name not in declared and not _is_commented_out(name, manifest)]
+    for_tests = {name for name in wanted if is_test or uses[name][1].startswith(_TESTS)}
+    declared |= home.test_dependencies if is_test else set()
+    found = declared | (home.test_dependencies & for_tests)
+    missing = [name for name in wanted if name not in found and not _is_commented_out(name, manifest)]
     if not missing:
         return
     declared = _with_what_they_declare(declared | ({"ros2launch", "launch", "launch_ros"} if ros2 else {"roslaunch"}), packages, file)
@@ -192,7 +195,7 @@ def check(view: FileView) -> Iterator[Finding]:
         only = "for tests only" if tested else BUILT_ONLY if written else ""
         says = f"declares {name} {only}" if only else f"does not declare {name}"
         without = lacking(name, manifest, packages)
-        line = _line(name, manifest.format, is_test=is_test, condition=without.condition)
+        line = _line(name, manifest.format, is_test=name in for_tests, condition=without.condition)
         way = None if tested else ways.get(name)
         closes = way is not None and (way.built or is_test or ros2)
         beside = not tested and not is_published(home) and _is_beside(name, packages, file)
@@ -376,9 +379,9 @@ def _is_commented_out(name: str, manifest: Manifest) -> bool:
 
 
 def _uses(document: Document) -> dict[str, tuple[Place, str]]:
-    """Package → the first place that uses it, and how; nothing for a template."""
+    """Package → the first place that uses it, and how; nothing for a template. What only tests use stands behind the rest."""
     found: dict[str, tuple[Place, str]] = {}
-    for element in document.elements:
+    for element in sorted(document.elements, key=lambda each: each.tag == "test"):
         if _is_template(element):
             return {}
         if _is_off(element):
@@ -390,7 +393,7 @@ def _uses(document: Document) -> dict[str, tuple[Place, str]]:
         for attribute in element.attributes.values():
             if "find" in attribute.value:
                 for name, start, end in _found(parts_of(attribute)):
-                    how = "includes a file of" if element.tag == "include" else "uses files of"
+                    how = {"include": "includes a file of", "test": f"{_TESTS} with files of"}.get(element.tag, "uses files of")
                     found.setdefault(name, (document.place(attribute.span_of(start, end)), how))
     return found
 
@@ -440,15 +443,20 @@ def _is_off(element: Element) -> bool:
 
 
 def _started(element: Element) -> str:
-    return "runs a test of" if element.tag == "test" else "starts a node of"
+    return f"{_TESTS} of" if element.tag == "test" else "starts a node of"
 
 
 def _is_test(document: Document, home: Package) -> bool:
     """Whether only tests load the file. A directory above the package says nothing of it: packages for tests may stand together."""
-    path = f"/{posixpath.relpath(document.source.file, home.directory)}"
-    if path.endswith((".test", ".test.xml")) or re.search(r"/tests?/", path) is not None:
+    inside = posixpath.relpath(document.source.file, home.directory)
+    if inside.endswith((".test", ".test.xml")) or re.search(r"/tests?/", f"/{inside}") is not None:
         return True
-    return any(each.tag == "test" for each in document.elements)
+    if not any(each.tag == "test" for each in document.elements):
+        return False
+    # What starts a robot may hold a <test>, too: roslaunch passes it over.
+    return _OF_TESTS.search(inside) is not None or any(
+        each.names_it and "rostest" in each.command for each in registering(home.directory, inside)
+    )
 
 
 def _is_test_of_ros2(document: Document, home: Package) -> bool:
