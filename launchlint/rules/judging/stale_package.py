@@ -7,9 +7,11 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from launchlint.late import late
+from launchlint.library.shipped import Bundled
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.package_contents import contents
-from launchlint.spelling import folded
+from launchlint.rules.judging.released import lacking
+from launchlint.spelling import folded, one_slip
 from launchlint.syntax.ros1.substitutions import parse_again
 from launchlint.workspace.looking import content, exists, is_file, names
 from launchlint.workspace.package import Package
@@ -21,6 +23,8 @@ _GENERATED = "_moveit_config"
 """What the Setup Assistant calls its packages."""
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 _MOST_BESIDE = 100
+_SHORTEST_SLIP = 6
+"""Below this many letters most names are one slip away from some other name."""
 _STARTED = late(r"<(?:node|test)\s[^<>]{1,2000}>")
 _PKG = late(r"\spkg\s*=\s*[\"']([^\"']*)[\"']")
 _TYPE = late(r"\stype\s*=\s*[\"']([^\"'$]*)[\"']")
@@ -112,6 +116,33 @@ def _asked_elsewhere(name: str, home: Package, near: str) -> bool:
             if made or not exists(posixpath.join(home.directory, file)):
                 return True
     return False
+
+
+def own_by_a_slip(name: str, text: str, packages: Packages, near: str) -> Package | None:
+    """The package of the workspaces from which the public ``name`` is one slip away, where it must be meant in the launch file ``near``.
+
+    It must be, where no ``package.xml`` here declares the public one and it has all that the launch file with content ``text`` asks of the
+    other, or nothing that is asked is there, the launch file is its own, and the public package was never released for what the workspace
+    is for. A short name is one slip away from too many others.
+    """
+    if len(name) < _SHORTEST_SLIP or packages.has(name):
+        return None
+    local = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything if not each.is_metapackage]
+    slip = one_slip(name, {each.name for each in local if each.name})
+    found = None if slip is None else packages.get(slip, near)
+    if found is None or any(each.manifest is not None and name in each.manifest.depends() for each in local):
+        return None
+    asked = _asked(text)
+    files, started = asked.files.get(name, ()), programs_asked(name, text)
+    known = (Bundled().package(name) or {}).get("executables", ())
+    if not started.isdisjoint(known):
+        return None
+    if (files or started) and _holds(found, files) and started <= set(contents(packages).executables(found).names):
+        return found
+    home = packages.package_of(near)
+    if home is None or home.manifest is None or home.directory != found.directory or started:
+        return None
+    return found if lacking(name, home.manifest, packages).distributions else None
 
 
 def lacks_all(package: Package, name: str, text: str) -> str:

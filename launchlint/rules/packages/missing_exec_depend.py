@@ -6,7 +6,8 @@ dependencies count for tests. What a declared package or metapackage itself decl
 of much used ones (a plugin of RViz brings RViz along), and so does what roslaunch itself needs. Names that nobody knows are LL210 and
 LL303, and a file with placeholders such as `$(find [PACKAGE])` is a template that is never launched. A dependency that stands in a comment
 of the `package.xml` was left out on purpose. Where only files are asked of another package of the same kind (`arm_moveit_config`), and the
-own package has all of them at the same paths, its own name was meant. Everything that one `package.xml` lacks is told at once, with the
+own package has all of them at the same paths, its own name was meant; where a package of the workspace is one slip away (`controls`,
+`control`) and has what is asked for, that one was. Everything that one `package.xml` lacks is told at once, with the
 first use of each package; where two lack the same three, as those do that were made one after the other, what both lack; where three
 packages or more lack something, all that they lack.
 
@@ -98,7 +99,7 @@ from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.judging.projects import is_published
 from launchlint.rules.judging.released import Lacking, lacking
-from launchlint.rules.judging.stale_package import own_files_instead, own_instead
+from launchlint.rules.judging.stale_package import own_by_a_slip, own_files_instead, own_instead
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, of_ros2
 from launchlint.source import Place, Source, Span
@@ -183,9 +184,9 @@ def check(view: FileView) -> Iterator[Finding]:
     idle = why_idle(file, home, packages)
     for name in missing:
         where, how = uses[name]
-        own = own_files_instead(name, document.source.text, home, file)
-        if own:
-            yield _foreign(name, own, where, home)
+        instead = _instead(name, where, document, home, packages)
+        if instead is not None:
+            yield instead
             continue
         manifest_path = shown(home.manifest_path, root_of(document.source))
         tested = name in home.test_dependencies
@@ -246,17 +247,21 @@ def _is_not_built(home: Package, packages: Packages) -> bool:
     return False
 
 
-def _foreign(name: str, files: Sequence[str], where: Place, home: Package) -> Finding:
-    """``home`` has all that it asks of another package of its kind: it is the name that is wrong, and nothing is missing."""
-    have = "has it, too" if len(files) == 1 else "has all of them, too"
-    return RULE.at(
-        where,
-        f"{home.name} asks {name} for {listed(files, MOST_NAMED)}, and {have}, at the same path{'' if len(files) == 1 else 's'}",
-        label=f"is $(find {home.name}) meant?",
-        notes=(f"{name} is not declared in package.xml, so that it is probably left over from a template",),
-        help=f"write $(find {home.name})",
-        topic=name,
-    )
+def _instead(name: str, where: Place, document: Document, home: Package, packages: Packages) -> Finding | None:
+    """What to say where a package that is here has what is asked of another one: it is the name that is wrong, and nothing is missing."""
+    text, file = document.source.text, document.source.file
+    files = own_files_instead(name, text, home, file)
+    if files:
+        have = "has it, too, at the same path" if len(files) == 1 else "has all of them, too, at the same paths"
+        message = f"{home.name} asks {name} for {listed(files, MOST_NAMED)}, and {have}"
+        meant, why = f"$(find {home.name})", f"{name} is not declared in package.xml, so that it is probably left over from a template"
+    else:
+        slip = None if home.manifest is None or home.manifest.is_ament else own_by_a_slip(name, text, packages, file)
+        if slip is None:
+            return None
+        message = f"{document.source.path} asks the public package {name}, and {slip.name} lies in this workspace"
+        meant, why = slip.name, f"no package.xml here declares {name}, and the two names are one slip apart"
+    return RULE.at(where, message, label=f"is {meant} meant?", notes=(why,), help=f"write {meant}", topic=name)
 
 
 def _doubts(name: str, later: Mapping[str, Way], without: Lacking) -> list[str]:
