@@ -3,7 +3,8 @@
 What it does: it compares the quality of service of both ends, as far as it is known for certain: what the code says, and the params and
 `qos_overrides` with which the launch file changes that. Reliability, durability, deadline, liveliness and its lease are policies of which a
 publisher has to offer at least what a subscriber asks for. Nothing is said of values that the sources or a library do not tell. It is a
-warning where the subscriber hears another publisher on that topic, or may not be there.
+warning where the subscriber hears another publisher on that topic, or may not be there. What the code of one program asks for on several
+topics, or offers, is told once.
 
 ## Why it matters
 
@@ -65,14 +66,17 @@ from launchlint.graph.connections import Channel, Endpoint
 from launchlint.graph.qos import Clash, clashes
 from launchlint.library.template import Slot, is_template, parse
 from launchlint.named_tuple import NamedTuple
-from launchlint.plural import counted
+from launchlint.plural import counted, listed
+from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.judging.name_places import Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.same_definition import may_be_alike
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL942", "qos-incompatible", Severity.ERROR)
+_MOST_NAMED = 6
 _MOST_PROFILES = 20
+_IN_THE_CODE = "let the publisher offer more, or the subscriber ask for less: the code of the two says what they do"
 _OVERRIDABLE = ("history", "depth", "reliability")
 _SIDES = {"publisher": "publisher", "subscriber": "subscription"}
 
@@ -129,6 +133,8 @@ def _finding(channel: Channel, pair: _Pair, owner: Owners) -> Finding:
     if pair.others:
         notes.append(f"the same holds for {counted(pair.others, 'more pair')} of these programs")
     severity = Severity.WARNING if hears else RULE.severity
+    advice = _advice(channel.name, first, offer, use)
+    ends = f"{giver.program} {taker.program} {channel.name}" if advice else ""  # what a launch file changes, it changes for each topic
     found = RULE.at(
         acting_origin(acting, mine),
         f"{taker.name} asks for {_asked(first)} on {channel.name}, but {giver.name} offers {_offered(first)}",
@@ -138,11 +144,27 @@ def _finding(channel: Channel, pair: _Pair, owner: Owners) -> Finding:
             (node_origin(owner[id(other)]).place, f"{other.role} with {_said(first.requested if acting is offer else first.offered)}"),
         ),
         notes=tuple(notes),
-        help=_advice(channel.name, first, offer, use),
+        help=advice or _IN_THE_CODE,
         topic=f"{channel.name} {first.policy}",
-        cause=f"{severity.word} {giver.program} {taker.program} {channel.name} {' '.join(map(str, first))}",
+        cause=f"{severity.word} {mine.program} {acting.role} {' '.join(map(str, first))} {ends}".rstrip(),
     )
     return with_sources(found, acting, other)
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One program asks for one thing, or offers it, wherever that does not fit: the first topic, the names of the others, all ends."""
+    first = spokesman(findings)
+    topics = dict.fromkeys(each.topic.partition(" ")[0] for each in (first, *findings))
+    others = list(topics)[1:]
+    if not others:
+        return joined(findings, first)
+    here = [each for each in findings if each is not first and each.location == first.location]
+    said = first._replace(
+        message=f"{first.message}; likewise on {listed(others, _MOST_NAMED)}",
+        related=tuple(dict.fromkeys(item for each in (first, *here) for item in each.related)),
+        notes=tuple(dict.fromkeys(note for each in (first, *here) for note in each.notes)),
+    )
+    return joined([said, *(each for each in findings if each is not first)], said)
 
 
 def _asked(clash: Clash) -> str:
@@ -166,7 +188,7 @@ def _said(value: str | float) -> str:
 
 
 def _advice(topic: str, clash: Clash, offer: Endpoint, use: Endpoint) -> str:
-    """What in the launch file changes it, if anything does; else the code has to."""
+    """What in the launch file changes it, if anything does."""
     for end, wanted in ((offer, clash.requested), (use, clash.offered)):
         said = (end.declaration.qos or {}).get(clash.policy, "")
         if end.declaration.overrides and clash.policy in _OVERRIDABLE:
@@ -175,4 +197,4 @@ def _advice(topic: str, clash: Clash, offer: Endpoint, use: Endpoint) -> str:
             param = next((part.key for part in parse(said) if isinstance(part, Slot) and part.kind == "param"), "")
             if param:
                 return f"set the param {param.lstrip('~')} of {end.node} to {wanted}"
-    return "let the publisher offer more, or the subscriber ask for less: the code of the two says what they do"
+    return ""
