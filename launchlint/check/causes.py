@@ -100,14 +100,14 @@ def _of_ideas(told: Sequence[Told]) -> Iterator[Told]:
     if len({each.finding.rule for each in told}) == len(told):
         yield from told
         return
-    from launchlint.check.one_idea import by_idea
+    from launchlint.check.one_idea import by_idea, told_of_one
 
     for numbers in by_idea([each.finding for each in told]):
         several = [told[number] for number in numbers]
         if len(several) == 1:
             yield several[0]
         else:
-            yield Told(joined([each.finding for each in several]), tuple(ordered([one for each in several for one in each.of])))
+            yield Told(told_of_one([each.finding for each in several]), tuple(ordered([one for each in several for one in each.of])))
 
 
 def _knows_copies(name: str) -> Callable[[Sequence[Finding]], Iterable[Finding]] | None:

@@ -9,13 +9,14 @@ A rule that knows more of its findings says itself what is one idea, by a functi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 from launchlint.finding import Finding
 from launchlint.late import late
-from launchlint.rules.judging.joined import said_of
+from launchlint.rules.judging.joined import joined, said_of, spokesman
 from launchlint.rules.registry import find
 
+_MOST_SAID = 6
 _WORD = late(r"[^\s,:;()'\"<>=]{1,500}")
 _NAME = late(r"(?=.{0,500}[/_.])(?=.{0,500}[^\W\d]).{0,500}[^.]")
 
@@ -32,6 +33,27 @@ def by_idea(findings: Iterable[Finding]) -> list[list[int]]:
         idea = (known and known(finding)) or _sentence(finding)
         found.setdefault(number if idea is None else (finding.rule, finding.severity, *idea), []).append(number)
     return list(found.values())
+
+
+def told_of_one(findings: Sequence[Finding]) -> Finding:
+    """What one idea comes to: as :func:`joined`, and in notes what is said of the same place, and other advice for other places."""
+    first = spokesman(findings)
+    here = [each for each in findings if each is not first and each.location == first.location]
+    notes = [f"likewise: {said_of(each)[0]}" for each in here]
+    advice = [first.help]
+    for each in findings:
+        if each.location != first.location and each.help and not any(_is_alike(each.help, other) for other in advice):
+            advice.append(each.help)
+            notes.append(f"{each.location.path}:{each.location.line}: {each.help}")
+    related = tuple(dict.fromkeys(item for each in (first, *here) for item in each.related))
+    said = first._replace(notes=tuple(dict.fromkeys((*first.notes, *notes[:_MOST_SAID]))), related=related)
+    return joined([said, *(each for each in findings if each is not first)], said)
+
+
+def _is_alike(help: str, other: str) -> bool:
+    """Whether two helps say the same, but for names: as many words, of which at least half are the same."""
+    words, others = help.split(), other.split()
+    return len(words) == len(others) and 2 * sum(map(str.__eq__, words, others)) >= len(words)
 
 
 def _known(name: str) -> Idea | None:

@@ -175,6 +175,12 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
         yield joined(several) if len(several) > 1 else several[0]
 
 
+def idea(finding: Finding) -> tuple[object, ...]:
+    """One node has several names with a type that another package's programs do not know: what its code says of their kind is wrong."""
+    kind, _, *types = finding.topic.split(" ")
+    return (finding.location, finding.label, kind, *types)
+
+
 def _meet_by_chance(offer: Endpoint, use: Endpoint, view: GraphView) -> bool:
     """Whether two public programs of different packages have a name in common that nothing gave to them: that of the code of each."""
     packages = {view.once(owners)[id(end)].program.partition("/")[0].partition("::")[0] for end in (offer, use)}
