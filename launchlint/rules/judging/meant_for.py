@@ -13,7 +13,7 @@ from launchlint.rules.judging.misplaced import moved_include
 from launchlint.rules.judging.misspelt import Repairs
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, in_namespace, node_origin, remap_origin, with_sources
 from launchlint.rules.judging.near_names import NAMESPACE, SLIP
-from launchlint.rules.judging.one_cause import Cause
+from launchlint.rules.judging.one_cause import Cause, is_node
 from launchlint.rules.rule import Rule
 from launchlint.source import Origin
 
@@ -108,10 +108,13 @@ def _help_for_all(cause: Cause) -> str:
     """What joins all the ends that have the ``hub`` of the cause in common."""
     assert cause.hub is not None
     node, (mine, theirs) = cause.hub
-    if len(theirs) == 1 and mine == (node.rpartition("/")[2],) and all(_is_private(each, node) for each in (cause.first, *cause.others)):
-        return f'call {node} {theirs[0]}, below which its names are looked for: name="{theirs[0]}"'
     wrong, right = ("/".join(each) or "no namespace" for each in (mine, theirs))
     doubt = "if these belong together, " if cause.first.level is Severity.INFO else ""
+    if not is_node(node):
+        where = f"{in_namespace(cause.first.instance, right)}" if theirs and not mine else "another namespace"
+        return f"{doubt}put the include at {node} into {where}: what it starts is in {wrong} where the others have {right}"
+    if len(theirs) == 1 and mine == (node.rpartition("/")[2],) and all(_is_private(each, node) for each in (cause.first, *cause.others)):
+        return f'call {node} {theirs[0]}, below which its names are looked for: name="{theirs[0]}"'
     around = moved_include(cause.first, node)
     if around is not None:
         return doubt + around

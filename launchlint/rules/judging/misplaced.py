@@ -28,6 +28,15 @@ def moved_include(missed: Missed, node: str = "") -> str | None:
     return None
 
 
+def parting_include(end: Endpoint, instance: Instance, partner: Instance) -> str:
+    """Where the outermost include stands that leads to ``instance`` only, if ``end`` follows it into a namespace; else empty."""
+    place = _parting(instance, partner) if _follows(end) else None
+    if place is None:
+        return ""
+    at = Location.of(place)
+    return f"{at.path}:{at.line}"
+
+
 def _parting(instance: Instance, partner: Instance) -> Place | None:
     """The outermost include that leads to ``instance`` only."""
     theirs = partner.node.origin.chain

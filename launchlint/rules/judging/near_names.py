@@ -34,7 +34,7 @@ def relation(left: str, right: str) -> str:
     related or equal, and the last part of one begins or ends with that of the other, as in ``radius_cmd_vel``. ``sibling``: the
     same last part in other namespaces. ``twin``: they differ in numbers only or in a mark such as ``_l`` and ``_r``, as those of two
     robots or cameras do, or are the two directions of one line to the outside: ``from_can_bus`` and ``to_can_bus``; or their namespaces are
-    these, ``/fmu/in`` and ``/fmu/out``. Empty: none of these.
+    these, ``/fmu/in`` and ``/fmu/out``, or begin to differ in a number, as those of two robots do. Empty: none of these.
     """
     if left == right:
         return ""
@@ -42,7 +42,7 @@ def relation(left: str, right: str) -> str:
         return TWIN
     *outer, last = left[1:].split("/")
     *other, end = right[1:].split("/")
-    if _differ_in_one_of(_SIDES, outer, other):
+    if _differ_in_one_of(_SIDES, outer, other) or _are_of_twins(outer, other):
         return TWIN
     if last == end:
         if _is_within(outer, other) or _is_within(other, outer):
@@ -73,6 +73,12 @@ def _differ_in_a_mark(left: str, right: str) -> bool:
 
 def _are_two_directions(left: str, right: str) -> bool:
     return _differ_in_one_of(_DIRECTIONS, _SEPARATORS.split(left), _SEPARATORS.split(right))
+
+
+def _are_of_twins(outer: list[str], other: list[str]) -> bool:
+    """Whether the first namespaces that differ do so in their numbers only: what is below is that of one robot or of another."""
+    first = next((pair for pair in zip(outer, other, strict=False) if pair[0] != pair[1]), None)
+    return first is not None and _letters(first[0]) == _letters(first[1])
 
 
 def _differ_in_one_of(pairs: Set[frozenset[str]], parts: list[str], others: list[str]) -> bool:

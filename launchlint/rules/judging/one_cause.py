@@ -7,12 +7,15 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.named_tuple import NamedTuple
 from launchlint.rules.judging.loose_ends import LooseEnds, Missed
+from launchlint.rules.judging.misplaced import parting_include
 from launchlint.rules.judging.near_names import NAMESPACE, SIBLING
 from launchlint.rules.view import GraphView
 
 Apart = tuple[tuple[str, ...], tuple[str, ...]]
 Hub = tuple[str, Apart]
-"""A node, and how the namespaces of its names differ from those of the names that they were meant for."""
+"""A node, or the place of an include that leads to several (``path:line``), and how the namespaces of its names differ from those of the
+names that they were meant for.
+"""
 
 
 class Cause(NamedTuple):
@@ -33,7 +36,7 @@ def causes(view: GraphView) -> Mapping[str, Sequence[Cause]]:
     counts = Counter(hub for missed in found for hub in _hubs(missed))
     groups: dict[object, list[Missed]] = {}
     for missed in found:
-        likely = max(_hubs(missed), key=lambda each: (counts[each], each), default=None)
+        likely = max(_hubs(missed), key=lambda each: (counts[each], is_node(each[0]), each), default=None)
         key: object = likely if likely is not None and counts[likely] > 1 else id(missed)
         groups.setdefault(key, []).append(missed)
     told: dict[str, list[Cause]] = {teller: [] for teller in _ORDER}
@@ -71,7 +74,7 @@ def _missed(view: GraphView) -> Iterator[Missed]:
 
 
 def _hubs(missed: Missed) -> tuple[Hub, ...]:
-    """Both nodes, where nothing but the namespace tells the two names apart."""
+    """Both nodes, where nothing but the namespace tells the two names apart, and the include of each that does not lead to the other."""
     if missed.how not in (NAMESPACE, SIBLING):
         return ()
     mine, theirs = missed.end.name.split("/")[1:-1], missed.other.name.split("/")[1:-1]
@@ -80,4 +83,12 @@ def _hubs(missed: Missed) -> tuple[Hub, ...]:
     while mine and theirs and mine[-1] == theirs[-1]:
         mine, theirs = mine[:-1], theirs[:-1]
     one, other = tuple(mine), tuple(theirs)
-    return ((missed.instance.name, (one, other)), (missed.partner.name, (other, one)))
+    end, instance, partner = missed.end, missed.instance, missed.partner
+    mine_in, theirs_in = parting_include(end, instance, partner), parting_include(missed.other, partner, instance)
+    found = ((instance.name, (one, other)), (partner.name, (other, one)), (mine_in, (one, other)), (theirs_in, (other, one)))
+    return tuple(each for each in found if each[0])
+
+
+def is_node(hub: str) -> bool:
+    """Whether it is a node that the ends have in common, and not an include."""
+    return hub.startswith("/")
