@@ -100,13 +100,23 @@ def _answers_left_as_made(packages: Packages, directory: str) -> frozenset[str]:
 def is_renamed(home: Package, packages: Packages) -> str:
     """The public package that ``home`` is a copy of under another name, as its address in the wiki of ROS says; else empty.
 
-    It is none where that package is here, too, or is a metapackage, which this may belong to.
+    It is none where that package is here, too, or is a metapackage, which this may belong to; where this one needs that one, or one whose
+    name begins like it (it is made to go with that); and where most packages around it are of its people.
     """
-    manifest = home.manifest
-    if manifest is None or is_public(home.name):
+    return packages.answer(_answers_renamed, home.manifest_path)
+
+
+@question
+def _answers_renamed(packages: Packages, manifest_path: str) -> str:
+    home = packages.with_manifest(manifest_path)
+    manifest = None if home is None else home.manifest
+    if home is None or manifest is None or is_public(home.name):
         return ""
     named = (match[1] for _, address in manifest.urls if (match := _PAGE.fullmatch(address)) is not None)
-    return next((each for each in named if is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
+    found = next((each for each in named if is_public(each.lower()) and _is_part(each, home.name) and not packages.has(each)), "")
+    if not found or any(f"{each}_".startswith(f"{found.lower()}_") for each in manifest.depends()):
+        return ""
+    return found if packages.once(_Workspaces).around(home.directory).are_not_most(manifest) else ""
 
 
 def is_published(home: Package) -> bool:
@@ -313,6 +323,11 @@ class _Workspace:
         """Whether no more packages have the people or the repository of ``manifest`` than have not."""
         alike = _united(self._of_people, manifest.people) | _united(self._from_origins, _origins(manifest))
         return 2 * len(alike) <= len(self._known)
+
+    def are_not_most(self, manifest: Manifest) -> bool:
+        """Whether the people of ``manifest`` have not made most packages, of several."""
+        alike = _united(self._of_people, manifest.people)
+        return len(self._known) < SOME or 2 * len(alike) <= len(self._known)
 
     def is_of_others_than(self, home: Package, manifest: Manifest) -> bool:
         """Whether most packages, as they are told apart by :func:`_is_of_others`, are of others than those of ``home``, a public one."""

@@ -43,19 +43,15 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, add_attribute, fix, is_literal, set_value, spot
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in, meant_substitution
-from launchlint.rules.judging.package_contents import contents
+from launchlint.rules.judging.nodeless_test import makes_no_node
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.syntax.parts import Substitution
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Element
-from launchlint.workspace.looking import content
 
 _SOURCES = (".py", ".cpp", ".cc", ".c", ".sh")
 _REQUIRED = "the arg {} has an empty default: whoever includes this file gives it"
-
-_MAKE_A_NODE = (b"init_node", b"roscpp_init")
-"""What makes a node in Python."""
 
 RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -105,7 +101,7 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
         wanted = "is not a valid ROS name" if own else "(its test-name) is not a valid ROS name"
         required = _left_empty(problem, view)
         apart = "" if required else _told_apart(problem, view)
-        idle = _makes_no_node(problem, view)
+        idle = _test_without_a_node(problem, view)
         yield RULE.at(
             problem.origin,
             f"the node name {name!r} {wanted}",
@@ -186,21 +182,13 @@ def _told_apart(problem: InvalidNodeName, view: LaunchView) -> str:
     return ""
 
 
-def _makes_no_node(problem: InvalidNodeName, view: LaunchView) -> str:
-    """The program of a ``<test>``, where that is a script in Python that does not start a node itself: then rostest alone knows the name.
-
-    It starts none where nothing in it calls rospy.init_node, or what does so in its place (moveit_commander.roscpp_initialize).
-    """
+def _test_without_a_node(problem: InvalidNodeName, view: LaunchView) -> str:
+    """The program of a ``<test>`` that makes no node: then rostest alone knows the name."""
     at = spot(view, problem.place)
     if at is None or at.element.tag != "test":
         return ""
-    package = view.packages.get(at.element.get("pkg") or "", view.launch.entry.file)
-    name = at.element.get("type") or ""
-    program = None if package is None else contents(view.packages).executables(package).by_name.get(name)
-    text = None if program is None or program.path is None else content(program.path)
-    if text is None or not (name.endswith(".py") or b"python" in text.partition(b"\n")[0]):
-        return ""
-    return "" if any(word in text for word in _MAKE_A_NODE) else name
+    package, name = at.element.get("pkg") or "", at.element.get("type") or ""
+    return name if makes_no_node(package, name, view) else ""
 
 
 def _empty(view: LaunchView) -> frozenset[str]:

@@ -1,7 +1,8 @@
 """A test has the same full name as a node it runs beside, or as another test.
 
 What it does: it compares the node names of all tests (`name`, or `test-name` where that is missing) with those of the nodes.
-roslaunch compares only nodes with nodes.
+roslaunch compares only nodes with nodes. Nothing is told of a test in Python that makes no node (no
+`rospy.init_node`): nobody bears its name.
 
 ## Why it matters
 
@@ -34,6 +35,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Severity
 from launchlint.model import Launch, Node
 from launchlint.rules.judging.joined import led_by
+from launchlint.rules.judging.nodeless_test import makes_no_node
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place
@@ -50,7 +52,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             nodes.setdefault(node.full_name, node)
     for test in launch.tests:
         other = nodes.get(test.full_name) if _is_known(test) else None
-        if other is not None:
+        if other is not None and not makes_no_node(test.package, test.executable, view):
             yield RULE.at(
                 Origin(_place(test), test.origin.step), f"the test {test.full_name} has the name of a node it runs beside",
                 label="this test",
