@@ -1,7 +1,8 @@
 """Copies of public packages, and of whole projects, among packages of other people: what is untidy there is for those to mend who maintain
 the original; and so is whatever is wrong in those launch files of a copy that nothing outside of it leads to.
 
-What is refused in such a file of a project that may have been changed here, or not kept whole, is a warning; all of it is told once.
+What is refused in such a file of a project that may have been changed here, or not kept whole, is a warning; all of it is told once. It is
+an info where launch files outside lead to others of that project: they chose what they need of it.
 """
 
 from __future__ import annotations
@@ -77,7 +78,7 @@ def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Find
                 )
                 and not origins.adapted(finding.location.path, origin)
             ):
-                finding = _milder(finding, origin)
+                finding = _milder(finding, origin, chosen=origins.is_chosen_from(origin))
         yield finding
 
 
@@ -88,6 +89,7 @@ class _Origins:
         self._known = known
         self._of: dict[str, _Origin] = {}
         self._named: dict[str, frozenset[str]] = {}
+        self._chosen: dict[str, bool] = {}
 
     def of(self, path: str) -> _Origin:
         """Of the package of the file that is shown as ``path``."""
@@ -117,6 +119,18 @@ class _Origins:
             text = (content(self._known.file(path)) or b"").decode("utf-8", "replace")
             self._named[path] = frozenset(_NAMES_PACKAGE.findall(text))
         return not origin.own.isdisjoint(self._named[path])
+
+    def is_chosen_from(self, origin: _Origin) -> bool:
+        """Whether launch files outside of the copy include some of its: what none of them leads to is not needed here."""
+        if not origin.directory:
+            return False
+        if origin.directory not in self._chosen:
+            inside = f"{origin.directory}/"
+            self._chosen[origin.directory] = any(
+                self._known.file(path).startswith(inside) and not all(self._known.file(each).startswith(inside) for each in entries)
+                for path, entries in self._known.included_by.items()
+            )
+        return self._chosen[origin.directory]
 
     def alone_lead_to(self, finding: Finding, origin: _Origin) -> bool:
         """Whether only launch files of the copy lead to ``finding``, or of copies that are public as it is."""
@@ -156,10 +170,11 @@ def told_together(findings: Sequence[Finding]) -> Finding:
     )
 
 
-def _milder(finding: Finding, origin: _Origin) -> Finding:
+def _milder(finding: Finding, origin: _Origin, *, chosen: bool) -> Finding:
     notes = (*finding.notes, origin.note)
     if finding.severity is Severity.ERROR and not origin.is_public:
-        return finding._replace(severity=Severity.WARNING, notes=notes, cause=PREFIX + origin.directory)
+        severity = Severity.INFO if chosen else Severity.WARNING
+        return finding._replace(severity=severity, notes=notes, cause=PREFIX + origin.directory)
     return finding._replace(severity=Severity.INFO, notes=notes, cause=finding.cause and f"{finding.cause}; {origin.note}")
 
 
