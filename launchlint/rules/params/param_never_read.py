@@ -290,10 +290,20 @@ def _misspelt_arg(setting: ParameterSetting, near: str | None, view: GraphView) 
 
 
 def _wrong_word(inner: str, near: str) -> tuple[str, str]:
-    """The only word that differs, as it is written and as it is read: several params may have it; else the whole names."""
+    """The only word that differs, as it is written and as it is read: several params may have it; else what the longer name has more at
+    its end, be it a ``_``; else the whole names.
+    """
     words, others = (each.replace("/", "_").split("_") for each in (inner, near))
     apart = [pair for pair in zip(words, others, strict=True) if pair[0] != pair[1]] if len(words) == len(others) else []
-    return apart[0] if len(apart) == 1 else (inner, near)
+    if len(apart) == 1:
+        return apart[0]
+    return (
+        ("…" + inner[len(near) :], "…")
+        if inner.startswith(near)
+        else ("…", "…" + near[len(inner) :])
+        if near.startswith(inner)
+        else (inner, near)
+    )
 
 
 def _is_default(value: Any, name: str, owner: Instance, view: GraphView) -> bool:
