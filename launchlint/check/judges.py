@@ -18,6 +18,7 @@ from launchlint.check.of_whole import judged_by_whole
 from launchlint.check.overridden import judged_by_includers
 from launchlint.check.retired import judged_by_place
 from launchlint.check.same_name import judged_by_name
+from launchlint.check.stray_remap import judged_by_remap
 from launchlint.check.twins import judged_by_twins
 from launchlint.check.unregistered import judged_by_marker, judged_by_registration
 from launchlint.check.written_by_assistant import judged_by_assistant
@@ -37,6 +38,7 @@ JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
     judged_by_givers,
     judged_by_loss,
     judged_by_name,
+    judged_by_remap,
     judged_by_block,
     judged_by_twins,
 )

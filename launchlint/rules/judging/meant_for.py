@@ -14,6 +14,8 @@ from launchlint.rules.judging.misspelt import Repairs
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, in_namespace, node_origin, remap_origin, with_sources
 from launchlint.rules.judging.near_names import NAMESPACE, SLIP
 from launchlint.rules.judging.one_cause import Cause, is_node
+from launchlint.rules.judging.signs import Standing
+from launchlint.rules.judging.stray import STRAY
 from launchlint.rules.rule import Rule
 from launchlint.source import Origin
 
@@ -42,6 +44,8 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         if len(missed.alike) > 1
     )
     related.extend((_origin(each).place, _what(each)) for each in others)
+    if isinstance(missed.sign, Standing):
+        related.append((missed.sign.place, STRAY))
     notes = [text for text in (how(end, missed.instance), how(other, missed.partner)) if text]
     if len(missed.alike) > 1:
         notes.append(f"{_listed(missed.alike)} all {_PLURAL[other.role]} {other.name}" + _fed(missed))

@@ -35,6 +35,20 @@ Role = tuple[str, str, str]
 """Program, role and the name in its code."""
 
 
+class Standing(str):
+    """What is said of a remap, with the ``place`` where it stands."""
+
+    place: Place
+
+    @classmethod
+    def at(cls, place: Place, text: str) -> Standing:
+        """``text`` about the remap at ``place``, with the number of its line."""
+        line, _ = place.source.position(place.span.start)
+        said = cls(text.format(f"{place.source.path}:{line}"))
+        said.place = place
+        return said
+
+
 class _Stray(NamedTuple):
     """The two sides of a remap, as written, its place, and a node that it stands in (empty where it stands there twice).
 
@@ -43,7 +57,7 @@ class _Stray(NamedTuple):
 
     source: str
     target: str
-    place: str
+    place: Place
     node: str
     sure: bool
 
@@ -92,7 +106,7 @@ class Signs:
             for stray in (each for each in strays if each.sure or only_ends):
                 sides = [absolute(side, namer.home, namer.node) for side in (stray.source, stray.target)]
                 if sides == [moved.unremapped, stays.name]:
-                    return f"a remap of {stray.source} to {stray.target} stands at {stray.place}, where it does nothing"
+                    return Standing.at(stray.place, f"a remap of {stray.source} to {stray.target} stands at {{}}, where it does nothing")
         return ""
 
     def misspelt_remap(self, end: Endpoint, other: Endpoint) -> str:
@@ -105,7 +119,8 @@ class Signs:
             for stray in () if moved.applied else self._strays_in.get(moved.node, ()):
                 source, target = (absolute(side, namer.home, namer.node) for side in (stray.source, stray.target))
                 if target == stays.name and relation(source, moved.unremapped) == SLIP:
-                    return f"a remap of {stray.source} to {stray.target} stands at {stray.place}; {moved.node} says {moved.declared}"
+                    said = f"a remap of {stray.source} to {stray.target} stands at {{}}; {moved.node} says {moved.declared}"
+                    return Standing.at(stray.place, said)
         return ""
 
     def hears_itself(self, end: Endpoint) -> str:
@@ -199,8 +214,7 @@ class Signs:
                 found[problem.origin.place] = (problem.key, problem.new, "", True)
         strays: dict[str, list[_Stray]] = {}
         for place, (source, target, node, sure) in found.items():
-            line, _ = place.source.position(place.span.start)
-            stray = _Stray(source, target, f"{place.source.path}:{line}", node, sure)
+            stray = _Stray(source, target, place, node, sure)
             strays.setdefault(source.rpartition("/")[2].lstrip("~"), []).append(stray)
         return strays
 
