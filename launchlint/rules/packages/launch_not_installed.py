@@ -1,7 +1,8 @@
 """A launch file is not among the files that its package installs.
 
 What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)` or
-`install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, or nothing that exists,
+`install(FILES …)` takes the launch file. Tests, examples and experiments are passed over, what was put aside (`old`, `tmp`), files of
+params that are no launch files by their names, packages that install nothing at all, or nothing that exists,
 and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a `CATKIN_IGNORE`. It is an info
 where the package installs nothing but headers, and where all it has is `catkin_install_python`, which makes scripts run in a devel space,
 too, or it installs none of the programs that it builds (a rest of a template), or nothing but programs, libraries, headers and descriptions
@@ -91,11 +92,13 @@ from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
+from launchlint.syntax.tree import Document
 from launchlint.workspace.cmake_comments import left_out_of_install
 from launchlint.workspace.looking import exists, is_file, question
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
+from launchlint.workspace.put_aside import put_aside
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -109,8 +112,10 @@ LEFT = "it installs none of the programs that it builds, and nothing here instal
 
 _LEFT_OUT = "it is commented out in an install() (line {}), so that it is left out on purpose"
 _SHARE = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
+_OF_LAUNCH = "launch"
 _MOST_NAMED = 6
-_NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
+_NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts|experimental|experiments?|tmp|temp|wip)\d*(?:[/_.-]|$)")
+_STARTING = frozenset(("node", "test", "include", "machine"))
 
 
 @question
@@ -145,7 +150,14 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     inside = posixpath.relpath(file, package.directory)
     cmake = posixpath.join(package.directory, "CMakeLists.txt")
-    if document.launch is None or _NOT_MEANT.search(inside) or not is_file(cmake) or packages.is_hidden(package.directory):
+    if (
+        document.launch is None
+        or _NOT_MEANT.search(inside)
+        or put_aside(inside)
+        or _is_piece(document)
+        or not is_file(cmake)
+        or packages.is_hidden(package.directory)
+    ):
         return
     installed = contents(packages).installs(package)
     if not installed.installs or not installed.exhaustive or installed.covers(file) or installed.leaves_out(file):
@@ -154,7 +166,7 @@ def check(view: FileView) -> Iterator[Finding]:
     if not present:  # such an install() fails: nobody installs this package
         return
     name = shown(cmake, root_of(document.source))
-    directory = inside.partition("/")[0] if "/" in inside else ""
+    directory = _to_install(inside)
     headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
     unused = (
         LEFT
@@ -186,12 +198,33 @@ def check(view: FileView) -> Iterator[Finding]:
         notes=(reason or meant,),
         help=f"take it in again in line {line}, once it is to be installed"
         if line is not None
-        else f"add install(DIRECTORY {directory} {_SHARE})"
+        else _installing([directory])
         if directory
         else f"add install(FILES {inside} {_SHARE})",
         cause=f"{severity.word} {name}{'' if line is None else ' left out'}",
         about=(package.name, *((directory,) if directory and not reason else ())),
     )
+
+
+def _to_install(inside: str) -> str:
+    """The directory of a package to install for a file of it; the outermost, unless that is one for sources and more. Empty for none."""
+    directory = posixpath.dirname(inside)
+    outer = inside.partition("/")[0] if directory else ""
+    return directory if "/" in directory and _OF_LAUNCH not in outer and _OF_LAUNCH in directory else outer
+
+
+def _installing(directories: Sequence[str]) -> str:
+    """The commands that install directories of a package at the same paths."""
+    by_parent: dict[str, list[str]] = {}
+    for each in directories:
+        by_parent.setdefault(posixpath.dirname(each), []).append(each)
+    return "add " + " and ".join(f"install(DIRECTORY {' '.join(each)} {_SHARE}{at and f'/{at}'})" for at, each in by_parent.items())
+
+
+def _is_piece(document: Document) -> bool:
+    """Whether nobody would start the file: it starts nothing itself, and is not called a launch file."""
+    called = _OF_LAUNCH in posixpath.basename(document.source.path)
+    return not called and not any(each.tag in _STARTING for each in document.elements)
 
 
 def together(findings: Sequence[Finding]) -> Finding:
@@ -200,8 +233,7 @@ def together(findings: Sequence[Finding]) -> Finding:
     directories = sorted({each for finding in findings for each in finding.about[1:]})
     if told.severity is Severity.INFO or len(directories) < 2 or any(not each.about[1:] for each in findings):
         return told
-    help_ = f"add install(DIRECTORY {' '.join(directories)} {_SHARE})"
-    return told._replace(help=help_, about=(*told.about[:1], *directories))
+    return told._replace(help=_installing(directories), about=(*told.about[:1], *directories))
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
