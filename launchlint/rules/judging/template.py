@@ -27,6 +27,10 @@ _TO_FILL_IN = late(
     re.VERBOSE | re.IGNORECASE,
 )
 _LONGEST = 200
+_ASKS = late(
+    r"\A\W{0,20}(?:please\s+)?(?:add|enter|insert|put(?:\s+in)?|fill\s+in|replace|specify|change|choose|select|give)\s+(?:here\s+)?(?:(?:the|your|an?|this)\s+)?",
+    re.IGNORECASE,
+)
 _LETTERS = late(r"[a-z]+")
 _PATH_TO_FILL_IN = late(
     r"""(?:^|/)(?:path[/_]to[/_] | your[_-]?\w+/ | <[^<>/]+>(?:/|$) | \{[A-Z][A-Z\d]*(?:_[A-Z\d]+)*\}(?:[./]|$))
@@ -64,6 +68,12 @@ def is_to_fill_in(value: str) -> bool:
     Only for values that are no good as they are: a name or a text may read like that and be meant.
     """
     return len(value) <= _LONGEST and _TO_FILL_IN.fullmatch(value) is not None
+
+
+def asks_for(comment: str, name: str) -> bool:
+    """Whether a comment asks its reader to put something in the place of ``name``: ``Add waypoints file (…)`` of ``waypoints file``."""
+    asked = _ASKS.match(comment)
+    return bool(name) and asked is not None and comment[asked.end() : asked.end() + _LONGEST].lower().startswith(name.lower())
 
 
 def is_path_to_fill_in(path: str) -> bool:

@@ -65,7 +65,7 @@ from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.out_of_share import leads_out, where
 from launchlint.rules.judging.python_text import reads_environment
 from launchlint.rules.judging.robot_file import ABSENT_ROS, INSTALL, advice, is_of_absent_ros, is_robots, is_temporary
-from launchlint.rules.judging.template import is_path_to_fill_in, is_template
+from launchlint.rules.judging.template import asks_for, is_path_to_fill_in, is_template
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.rules.wording import words_at
@@ -153,7 +153,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     if choice is not None:
         severity = Severity.INFO
         notes.append(choice[0])
-    placeholder = missing and is_path_to_fill_in(path)
+    placeholder = missing and (is_path_to_fill_in(path) or _is_asked_for(problem, view))
     if placeholder:
         severity = Severity.INFO
         notes.append("the path is a placeholder, which each user fills in")
@@ -240,6 +240,17 @@ def _is_there(place: str, end: str, view: LaunchView) -> bool:
     file = posixpath.join(place, end)
     package = view.packages.package_of(file) if is_file(file) else None
     return is_file(file) and (package is None or package.directory != place or end.count("/") > 1)
+
+
+def _is_asked_for(problem: ParamFileMissing, view: LaunchView) -> bool:
+    """Whether a comment in the line asks people to put a name in the place of what stands there, which is no name of a file."""
+    name, source = posixpath.basename(problem.place.text.rstrip("/")), problem.place.source
+    document = view.documents.get(source.path)
+    if document is None or "." in name or "$" in name:
+        return False
+    line = source.position(problem.place.span.start).line
+    beside = (each.text for each in document.comments if source.position(each.span.start).line == line)
+    return any(asks_for(each, name) for each in beside)
 
 
 def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:
