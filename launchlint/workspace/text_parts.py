@@ -31,6 +31,11 @@ _AROUND = " \t\r#>*|-[](){}'\",:_`"
 _PROPER = late(
     r"\b(?:for|on|under|with) (Ardent|Bouncy|Crystal|Dashing|Eloquent|Foxy|Galactic|Humble|Iron|Jazzy|Kilted|Rolling)(?![A-Za-z])"
 )
+_OTHER_BRANCH = late(
+    r"\b(?:if|for)\b.{0,100}(?:check|see|use|switch|go to|visit|refer|look).{0,200}\bbranch(?![a-z])|"
+    r"(?:check|see|use|switch|go to|visit|refer|look).{0,200}\bbranch(?![a-z]).{0,100}\b(?:if|for)\b"
+)
+"""In small letters: where those find what they want who have another distribution."""
 _DOCUMENTS = late(r"\b(?:docs|index|design|wiki|discourse|answers)\.ros\.org/\S*")
 _READ = late(r"""\$\(var\s+['"]?([^\s()'"$]+)|\bLaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']([^"'$]+)""")
 
@@ -132,18 +137,22 @@ def _lifecycle(text: str) -> Sequence[str]:
 
 
 def _distributions(text: str) -> Sequence[str]:
-    """The distributions of ROS 2 that a text says it is for; what links to documents hold is none."""
+    """The distributions of ROS 2 that a text says it is for; what links to documents hold is none.
+
+    Nor is one for which it sends its readers to another branch, where it names others: these are what this branch is for.
+    """
     small = text.lower()
     if not _DISTRIBUTION.search(small):
         return ()
     found = {name.lower() for name in _PROPER.findall(text)}
+    elsewhere: set[str] = set()
     for line in small.split("\n"):
         if _DISTRIBUTION.search(line):
             line = _DOCUMENTS.sub("", line)[:_LONGEST_LINE]
             listed = _DISTRIBUTION.findall(line)
             if _SEVERAL.search(line) or _OF_ROS.search(line) or any(cell.strip(_AROUND) in listed for cell in line.split("|")):
-                found.update(listed)
-    return sorted(found)
+                (elsewhere if _OTHER_BRANCH.search(line) else found).update(listed)
+    return sorted(found or elsewhere)
 
 
 PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {

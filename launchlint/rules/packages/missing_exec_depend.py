@@ -100,6 +100,7 @@ from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.judging.projects import is_published
 from launchlint.rules.judging.released import Lacking, lacking
 from launchlint.rules.judging.stale_package import own_by_a_slip, own_files_instead, own_instead
+from launchlint.rules.judging.template import is_among_templates
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, of_ros2
 from launchlint.source import Place, Source, Span
@@ -161,15 +162,15 @@ def check(view: FileView) -> Iterator[Finding]:
     is_test = _is_test_of_ros2(document, home) if ros2 else _is_test(document, home)
     for_tests = {name for name in wanted if is_test or uses[name][1].startswith(_TESTS)}
     declared |= home.test_dependencies if is_test else set()
-    found = declared | (home.test_dependencies & for_tests)
-    missing = [name for name in wanted if name not in found and not _is_commented_out(name, manifest)]
+    fine = declared | (home.test_dependencies & for_tests)
+    missing = [name for name in wanted if name not in fine and not _is_commented_out(name, manifest)]
     if not missing:
         return
     declared = _with_what_they_declare(declared | ({"ros2launch", "launch", "launch_ros"} if ros2 else {"roslaunch"}), packages, file)
     missing = [name for name in missing if name not in declared and (packages.has(name) or name in public_names())]
     if not missing or packages.is_hidden(home.directory) or first_of_name(home, packages).directory != home.directory:
         return
-    if _is_not_built(home, packages):
+    if _is_not_built(home, packages) or is_among_templates(shown(home.directory, root_of(document.source))):
         return
     if contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
         return
@@ -457,11 +458,9 @@ def _is_test(document: Document, home: Package) -> bool:
     if inside.endswith((".test", ".test.xml")) or re.search(r"/tests?/", f"/{inside}") is not None:
         return True
     if not any(each.tag == "test" for each in document.elements):
-        return False
-    # What starts a robot may hold a <test>, too: roslaunch passes it over.
-    return _OF_TESTS.search(inside) is not None or any(
-        each.names_it and "rostest" in each.command for each in registering(home.directory, inside)
-    )
+        return False  # else it may start a robot all the same: roslaunch passes a <test> over
+    given = (each.names_it and "rostest" in each.command for each in registering(home.directory, inside))
+    return _OF_TESTS.search(inside) is not None or any(given)
 
 
 def _is_test_of_ros2(document: Document, home: Package) -> bool:
