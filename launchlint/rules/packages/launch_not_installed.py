@@ -150,17 +150,12 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     inside = posixpath.relpath(file, package.directory)
     cmake = posixpath.join(package.directory, "CMakeLists.txt")
-    if (
-        document.launch is None
-        or _NOT_MEANT.search(inside)
-        or put_aside(inside)
-        or _is_piece(document)
-        or not is_file(cmake)
-        or packages.is_hidden(package.directory)
-    ):
+    if document.launch is None or not is_file(cmake) or _NOT_MEANT.search(inside) or packages.is_hidden(package.directory):
         return
     installed = contents(packages).installs(package)
     if not installed.installs or not installed.exhaustive or installed.covers(file) or installed.leaves_out(file):
+        return
+    if put_aside(inside) or _is_piece(document):
         return
     present = [each for each in installed.installs if exists(each.path)]
     if not present:  # such an install() fails: nobody installs this package
