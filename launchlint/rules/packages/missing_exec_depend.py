@@ -458,10 +458,9 @@ def _is_test(document: Document, home: Package) -> bool:
     if inside.endswith((".test", ".test.xml")) or re.search(r"/tests?/", f"/{inside}") is not None:
         return True
     tests, nodes = (sum(each.tag == tag for each in document.elements) for tag in ("test", "node"))
-    if not 0 < tests < nodes:  # with fewer tests than nodes it may start a robot all the same: roslaunch passes a <test> over
-        return tests > 0
     given = (each.names_it and "rostest" in each.command for each in registering(home.directory, inside))
-    return _OF_TESTS.search(inside) is not None or any(given)
+    # With fewer tests than nodes it may start a robot all the same: roslaunch passes a <test> over.
+    return tests > 0 and (tests >= nodes or _OF_TESTS.search(inside) is not None or any(given))
 
 
 def _is_test_of_ros2(document: Document, home: Package) -> bool:
