@@ -72,6 +72,8 @@ RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuse
 
 _TO_THE_TOP = "to the top level of the included file, without a condition"
 _DOES_NOT_COUNT = "declared in a group or under a false condition: that does not count"
+_REMOVE = "remove it here, or declare it there"
+_REMOVE_ALL = "remove them here, or declare them there"
 _MOST_NAMED = 8
 _MOST_LISTED = 40
 """Names of args that are taken, and of args that are not, in one finding: more than anybody writes by hand."""
@@ -113,6 +115,11 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
         yield joined(several) if len(several) > 1 else several[0]
 
 
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """One file passes the same arg, in the same words, to several files that do not declare it, be it with others that one does not."""
+    return (finding.location.path, finding.location.text.strip()) if finding.help in (_REMOVE, _REMOVE_ALL) else None
+
+
 def _unset_in(place: Place, view: LaunchView) -> str:
     """The arg without a declaration that the include with the arg at ``place`` reads; empty where it reads none."""
     at = spot(view, place)
@@ -137,13 +144,13 @@ def _help(undeclared: tuple[str, ...], known: tuple[str, ...], elsewhere: tuple[
     if len(undeclared) == 1:
         if elsewhere:
             return f"{MOVE}its declaration {_TO_THE_TOP}"
-        return did_you_mean(undeclared[0], known) or "remove it here, or declare it there"
+        return did_you_mean(undeclared[0], known) or _REMOVE
     unknown = (name for name in undeclared if name not in elsewhere)
     near = {name: other for name in islice(unknown, _MOST_LISTED) if (other := _near(name, known)) is not None}
     advice = [f"{MOVE}the declarations of {listed(elsewhere, _MOST_LISTED)} {_TO_THE_TOP}"] if elsewhere else []
     advice += [f"is {other} meant by {name}?" for name, other in near.items()]
     if len(elsewhere) + len(near) < len(undeclared):
-        advice.append("remove the others here, or declare them there" if advice else "remove them here, or declare them there")
+        advice.append("remove the others here, or declare them there" if advice else _REMOVE_ALL)
     return "; ".join(advice).replace("?;", "?")
 
 
