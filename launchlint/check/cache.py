@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
+from launchlint.check.answers import KeptAnswer, answers_from_json, answers_to_json
 from launchlint.check.codec import entry_from_json, entry_to_json, file_from_json, file_to_json, names_of
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult
@@ -27,10 +28,10 @@ from launchlint.check.rows import BROKEN, SEAL, Row, Rows, dump, forget_oldest, 
 from launchlint.check.surroundings import Surroundings, user
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.contents import Contents
-from launchlint.workspace.looking import PART, QUESTION, state
+from launchlint.workspace.looking import PART, QUESTION, Answer, Looked, state
 from launchlint.workspace.questions import answer
 from launchlint.workspace.states import Answered, Look, Looks, Shared, States
-from launchlint.workspace.text_parts import part_state
+from launchlint.workspace.text_parts import known_state
 
 _CONTENTS_END = ".contents.json"
 _LOOKS = 2
@@ -85,7 +86,8 @@ class Cache:
         self._holding: set[str] = set()
         self._held_written = self._held_before
         self._true: dict[str, Row] = {}
-        self._given: dict[str, tuple[str, list[str]]] = {}
+        self._given: dict[str, KeptAnswer] = {}
+        self._paths: dict[str, frozenset[str] | None] = {}
         self._shared_now: dict[str, list[Look]] = {}
         self._stored: dict[str, Hang] = {}
 
@@ -143,7 +145,7 @@ class Cache:
             self._fetch("files", _gathered(rows.values(), lambda value: names_of(value[-1])))
         files = self._fetched["files"]
         names = _gathered(rows.values(), lambda value: value[_LOOKS][1]) | _gathered(files.values(), lambda value: value[1][1])
-        self._fetch("shared", names.union(*(names for _, names in self._answers.values())))
+        self._fetch("shared", names.union(*(each.names for each in self._answers.values())))
         tables = {table: rows, "files": files, "shared": self._fetched["shared"]}
         self._fetch("said", [_of(table, key) for table, known in tables.items() for key, row in known.items() if self._is_to_ask(row)])
 
@@ -185,10 +187,10 @@ class Cache:
         except BROKEN:
             return None
 
-    def looks_of(self, hangs: Iterable[Hang]) -> Iterator[Look]:
-        """All looks that rows of results hang on; but those that the stamp tells of."""
+    def looks_of(self, hangs: Iterable[Hang], answers: Iterable[Answer]) -> Iterator[Look]:
+        """All looks that rows of results hang on, and ``answers`` that are kept; but those that the stamp tells of."""
         names: set[str] = set()
-        questions: set[str] = set()
+        questions = {each.question for each in answers}
         programs: set[tuple[str, ...]] = set()
         for hang in hangs:
             yield from hang.looks[0]
@@ -196,7 +198,7 @@ class Cache:
             questions.update(question for question, _ in hang.looks[2])
             programs.update(tuple(each[:4]) for each in hang.programs)
         for question in questions:
-            names.update((self._given.get(question) or self._answers[question])[1])
+            names.update((self._given.get(question) or self._answers[question]).names)
         for name in names:
             row = self._row("shared", name)
             yield from self._shared_now[name] if name in self._shared_now or row is None else row.value
@@ -248,12 +250,11 @@ class Cache:
             self._shared[name] = row is not None and self._holds("shared", name, row, row.value, (), (), "")
         return self._shared[name]
 
-    def _read_answers(self) -> dict[str, tuple[str, list[str]]]:
-        """The answers that were given, by question: the state of each, and the names of all shared looks that it hangs on."""
+    def _read_answers(self) -> dict[str, KeptAnswer]:
+        """The answers that were given, by question."""
         for _, row in self._rows.values("held", (_ANSWERS,)):
             with suppress(*BROKEN):
-                names, answers = row.value
-                return {question: (state, [names[each] for each in numbers]) for question, (state, numbers) in answers.items()}
+                return answers_from_json(row.value)
         return {}
 
     def _answer(self, question: str) -> str:
@@ -264,7 +265,32 @@ class Cache:
     def _kept_answer(self, question: str) -> str | None:
         """The state of an answer that was given, where all that it hangs on is as it was."""
         known = self._answers.get(question)
-        return known[0] if known is not None and all(map(self._shared_holds, known[1])) else None
+        return known.state if known is not None and all(map(self._shared_holds, known.names)) else None
+
+    def kept_answer(self, question: str, anew: Callable[[], Looked]) -> Answer | None:
+        """What was answered, where that is kept and all that it hangs on is as it was; ``anew`` tells that where it cannot be read."""
+        known = self._answers.get(question)
+        if known is None or not known.has_found or self._kept_answer(question) is None:
+            return None
+        try:
+            answer = Answer(question, known.found, lambda: self._looked(known) or anew())
+        except BROKEN:
+            return None
+        return answer if answer.state == known.state else None
+
+    def _looked(self, known: KeptAnswer) -> Looked | None:
+        """All that a kept answer hangs on; None where somebody has written that anew since."""
+        several = [paths for name in known.names if (paths := self._shared_paths(name)) is not None]
+        return Looked(frozenset(), tuple(several)) if len(several) == len(known.names) else None
+
+    def _shared_paths(self, name: str) -> frozenset[str] | None:
+        if name not in self._paths:
+            unsaid, said = self._row("shared", name), self._row("said", _of("shared", name))
+            self._paths[name] = None
+            with suppress(*BROKEN):
+                if unsaid is not None and said is not None:
+                    self._paths[name] = frozenset((*(path for path, _ in unsaid.value), *said.value[1]))
+        return self._paths[name]
 
     def _read_programs(self, own: OwnSources) -> dict[str, dict[str, Digest]]:
         """The digests of programs that an earlier run has kept, which are taken."""
@@ -306,7 +332,7 @@ class Cache:
             return state(path) if known is None else known
         file, _, part = path.partition(PART)
         try:
-            return self._held.fact(file, f"part {part}", lambda data: part_state(data, part), str, str)
+            return known_state(file, part, self._held)
         except OSError:
             return state(path)
 
@@ -330,7 +356,12 @@ class Cache:
 
         def give(each: Answered) -> None:
             if each.question not in given and (each.shared or self._kept_answer(each.question) != each.state):
-                given[each.question] = each.state, share(each.shared)
+                given[each.question] = KeptAnswer(each.state, share(each.shared), ())
+
+        def give_found(each: Answer) -> None:
+            known = given.get(each.question) or self._answers.get(each.question)
+            if known is not None and not known.has_found and known.state == each.state:
+                given[each.question] = known.with_found(each.found)
 
         def around(looks: Looks) -> tuple[list[Any], list[Look]]:
             for each in looks.answers:
@@ -355,8 +386,11 @@ class Cache:
                 put("entries", key, [*hang[1:-1], entry_to_json(result)], said)
                 self._stored[key] = hang._replace(seal=new["entries"][key][:SEAL])
             for packages in (self._packages, self._packages.colcon):
-                for each in self.states.answered(packages.answers()):  # asked again, or for the first time
-                    give(each)
+                asked = packages.answers()
+                for answered in self.states.answered(asked):  # asked again, or for the first time
+                    give(answered)
+                for answer in asked:
+                    give_found(answer)
         except BROKEN:
             return
         held = {**self._now_holding(new), **self._now_answered(given)}
@@ -382,15 +416,14 @@ class Cache:
         self._held_written = seals
         return {_HELD: sealed(_HELD, [self.surroundings.stamp, " ".join(sorted(seals))])}
 
-    def _now_answered(self, given: Mapping[str, tuple[str, list[str]]]) -> dict[str, str]:
+    def _now_answered(self, given: Mapping[str, KeptAnswer]) -> dict[str, str]:
         """The row of all answers, where some were ``given`` in this run."""
         if not given:
             return {}
-        holding = {question: known for question, known in self._answers.items() if all(self._shared.get(name, True) for name in known[1])}
-        answers = {**holding, **given}
-        numbers = {name: number for number, name in enumerate(dict.fromkeys(name for _, names in answers.values() for name in names))}
-        written = {question: [state, [numbers[name] for name in names]] for question, (state, names) in answers.items()}
-        return {_ANSWERS: sealed(_ANSWERS, [list(numbers), written])}
+        holding = {
+            question: known for question, known in self._answers.items() if all(self._shared.get(name, True) for name in known.names)
+        }
+        return {_ANSWERS: sealed(_ANSWERS, answers_to_json({**holding, **given}))}
 
     def _parted(self, looks: Iterable[Look]) -> tuple[list[Look], list[Look]]:
         """The looks of which the stamp of the workspaces says nothing, and the others."""

@@ -76,10 +76,10 @@ class SameRun:
 
         contents: dict[str, str] = {}
         variables: dict[str, str | None] = {}
-        around = frozenset().union(*{id(each): each for each in looked.sets()}.values())
+        around = frozenset().union(looked.paths, *looked.wholes)
         looks = {path: cache.states.of(path) for path in sorted(around) if is_elsewhere(path)}
         for hang in hangs:
             variables.update(hang.variables)
             contents.update((path, known) for path, known in hang.dependencies if is_elsewhere(path))
-        looks.update((path, known) for path, known in cache.looks_of(hangs) if is_elsewhere(path))
+        looks.update((path, known) for path, known in cache.looks_of(hangs, looked.answers) if is_elsewhere(path))
         return [list(contents.items()), list(variables.items()), list(looks.items())]

@@ -45,6 +45,7 @@ def check_whole(
         before = same.outcome()
         if before is not None:
             return before
+        packages.kept = packages.colcon.kept = cache.kept_answer
         groups = Groups(cache, requests, asked)
         results = check_missing(groups.unknown, checker, cache, jobs, progress, reading)
         members, led_to = _members(groups, results)
@@ -57,6 +58,7 @@ def check_whole(
         hangs = groups.keep(members, files, led_to)
         outcome, looked = watched(lambda: _told(members, led_to, files, checker, per_file, asked))
         if hangs is not None:
+            cache.store(())  # what was answered meanwhile
             same.keep(outcome, hangs, looked)
         return outcome
     finally:

@@ -9,6 +9,7 @@ import os
 from _thread import _local
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import cached_property
 
 from launchlint.named_tuple import NamedTuple
 
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     Asked = TypeVar("Asked", bound=Callable[[Any, str], Any])
     K = TypeVar("K")
     T = TypeVar("T")
+    Kept = Callable[[str, Callable[[], "Looked"]], "Answer | None"]
 
     class Surveyed(Protocol):
         """What was seen, with all that was looked at for it."""
@@ -67,17 +69,23 @@ class Looked(NamedTuple):
             yield from answer.looked.sets()
 
 
-class Answer(NamedTuple):
+class Answer:
     """What hangs on an answer alone, what was ``found``, and not on all that was looked at for it.
 
     While all is as it was where somebody ``looked``, so is the answer; else the question can be asked again.
     """
 
-    question: str
-    found: object
-    looked: Looked
+    def __init__(self, question: str, found: object, looked: Callable[[], Looked]) -> None:
+        self.question = question
+        self.found = found
+        self._looked = looked
 
-    @property
+    @cached_property
+    def looked(self) -> Looked:
+        """All that was looked at, or was in an earlier run that kept the answer; it is read when somebody asks."""
+        return self._looked()
+
+    @cached_property
     def state(self) -> str:
         """Equal for equal answers."""
         from hashlib import sha1
@@ -266,15 +274,27 @@ def question(function: Asked) -> Asked:
     return function
 
 
-def answered(known: dict[str, tuple[T, Answer]], question: str, work: Callable[[], T]) -> T:
-    """What ``work`` gives, done once for each question: whoever asks hangs on the answer alone, which is made of texts and numbers."""
+def answered(known: dict[str, tuple[T, Answer]], question: str, work: Callable[[], T], kept: Kept | None = None) -> T:
+    """What ``work`` gives, done once for each question: whoever asks hangs on the answer alone, which is made of texts and numbers.
+
+    ``kept`` may know the answer, given anew how it would be found.
+    """
     if question not in known:
-        _account.noted.append(_Account())
-        try:
-            found = work()
-        finally:
-            looked = _account.noted.pop().looked()
-        known[question] = found, Answer(question, found, looked)
+
+        def anew() -> tuple[T, Looked]:
+            _account.noted.append(_Account())
+            try:
+                found = work()
+            finally:
+                looked = _account.noted.pop().looked()
+            return found, looked
+
+        before: Any = None if kept is None else kept(question, lambda: anew()[1])
+        if before is None:
+            made, looked = anew()
+            known[question] = made, Answer(question, made, lambda: looked)
+        else:
+            known[question] = before.found, before
     found, answer = known[question]
     _account.noted[-1].answered((answer,))
     return found

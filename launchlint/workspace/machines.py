@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from launchlint.late import late
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.looking import walk
-from launchlint.workspace.texts import texts
+from launchlint.workspace.texts import parts
 
 _ENDS = (".launch", ".xml", ".machine", ".machines", ".test")
 _MOST_DIRECTORIES = 2_000
 _MOST_FILES = 600
-# No grammar, a look through whole files: that a machine is defined somewhere is a reason for less, never for more.
-_MACHINE = late(r"<machine\b[^<>]{0,1000}?\bname\s*=\s*[\"']([^\"'$<>]{1,200})[\"']")
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.contents import Contents
 
 
 class Machines(NamedTuple):
@@ -23,8 +24,11 @@ class Machines(NamedTuple):
     looked: frozenset[str]
 
 
-def read_machines(directories: Iterable[str]) -> Machines:
-    """The machines that launch files below ``directories`` define. Bounded; never raises."""
+def read_machines(directories: Iterable[str], held: Contents | None = None) -> Machines:
+    """The machines that launch files below ``directories`` define. Bounded; never raises. ``held`` may know what the files hold.
+
+    It is no grammar, but a look through whole files: that a machine is defined somewhere is a reason for less, never for more.
+    """
     found: dict[str, str] = {}
     looked: set[str] = set()
     places = (
@@ -32,7 +36,7 @@ def read_machines(directories: Iterable[str]) -> Machines:
         for top in directories
         for directory, listed in walk(top, _MOST_DIRECTORIES)
     )
-    for file, text in texts(places, _MOST_FILES, looked):
-        for match in _MACHINE.finditer(text):
-            found.setdefault(match[1].strip(), file)
+    for file, names in parts(places, _MOST_FILES, looked, "machines", held):
+        for name in names:
+            found.setdefault(name, file)
     return Machines(found, frozenset(looked))

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from launchlint.workspace.arg_uses import ArgUses
     from launchlint.workspace.contents import Contents
     from launchlint.workspace.distributions import Distributions
-    from launchlint.workspace.looking import Surveyed
+    from launchlint.workspace.looking import Kept, Surveyed
     from launchlint.workspace.releases import Needs
     from launchlint.workspace.variables import Readers
 
@@ -49,7 +49,7 @@ class Packages:
         complete: overrides :attr:`complete` (configuration key ``packages``).
         way: how packages are found; :attr:`colcon` are those that colcon finds in the same places.
 
-    ``held`` may be set before anything is asked for: what files hold, as an earlier run has seen it.
+    ``held`` may be set before anything is asked for: what files hold, as an earlier run has seen it; ``kept``: what it was answered.
     """
 
     def __init__(
@@ -67,6 +67,7 @@ class Packages:
         self._complete = complete
         self.way = way
         self.held: Contents | None = None
+        self.kept: Kept | None = None
         self._places: list[Place] | None = None
         self._prefixes: list[Prefix] | None = None
         self._made: dict[Callable[..., Any], Any] = {}
@@ -105,7 +106,7 @@ class Packages:
 
     def answer(self, question: Callable[[Packages, str], Made], about: str) -> Made:
         """The answer to a question (:func:`launchlint.workspace.questions.question`), found once; whoever asks hangs on that alone."""
-        made: Made = answered(self._answers, self._asked(question, about), lambda: question(self, about))
+        made: Made = answered(self._answers, self._asked(question, about), lambda: question(self, about), self.kept)
         return made
 
     def answer_state(self, question: Callable[[Packages, str], Any], about: str) -> str:
@@ -120,10 +121,13 @@ class Packages:
         """All answers that were given."""
         return [known for _, known in self._answers.values()]
 
-    def survey(self, read: Callable[[Sequence[str]], Seen]) -> Seen:
-        """What ``read`` sees in the workspaces, read once; whoever asks hangs on all that it looked at."""
+    def survey(self, read: Callable[..., Seen], *held: Contents | None) -> Seen:
+        """What ``read`` sees in the workspaces (with what it is ``held`` that files hold, if it can use that), read once.
+
+        Whoever asks hangs on all that it looked at.
+        """
         if read not in self._made:
-            self._made[read] = read(self.workspaces)
+            self._made[read] = read(self.workspaces, *held)
         seen: Seen = self._made[read]
         note(seen.looked)
         return seen
@@ -309,18 +313,15 @@ class Packages:
 
     def arg_uses(self) -> ArgUses:
         """Where files of the workspaces give args to launch files by name."""
-        return self.survey(self._read_arg_uses)
-
-    def _read_arg_uses(self, workspaces: Sequence[str]) -> ArgUses:
         from launchlint.workspace.arg_uses import read_arg_uses
 
-        return read_arg_uses(workspaces, self.held)
+        return self.survey(read_arg_uses, self.held)
 
     def launch_readers(self) -> Readers:
         """Which environment variables launch files of the workspaces read."""
         from launchlint.workspace.variables import read_in_launch_files
 
-        return self.survey(read_in_launch_files)
+        return self.survey(read_in_launch_files, self.held)
 
     def machine_defined_in(self, name: str) -> str | None:
         """A launch file of the workspaces (absolute) that defines machine ``name``; ``None`` where there is none."""

@@ -107,7 +107,7 @@ def machine_defined_in(packages: Packages, name: str) -> str | None:
     """As :meth:`Packages.machine_defined_in`."""
     from launchlint.workspace.machines import read_machines
 
-    return packages.survey(read_machines).known.get(name)
+    return packages.survey(read_machines, packages.held).known.get(name)
 
 
 @question

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 
 from launchlint.late import late
+from launchlint.workspace import given_args
 from launchlint.workspace.reading import read_bytes
 
 LARGEST = 200_000
@@ -59,6 +61,18 @@ _NODE_NAME = late(r"[A-Za-z_]\w{1,80}")
 _ATTRIBUTE = late(r"""\b(pkg|type|args|from|to)\s*=\s*(?:"([^"<>\t\r\n]{0,300})"|'([^'<>\t\r\n]{0,300})')""")
 _LONGEST_TAG = 2_000
 _LOADING = ("load", "standalone")
+
+_ENV = late(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
+_COMMENT = late(r"(?s)<!--.*?(?:-->|\Z)")
+_OPTIONAL = late(r"\$\(\s*(?:optenv\s+([A-Za-z_]\w*)|env\s+([A-Za-z_]\w*)\s+[^\s)])")
+"""Read with a default, in ROS 1 or in ROS 2."""
+_MACHINE = late(r"<machine\b[^<>]{0,1000}?\bname\s*=\s*[\"']([^\"'$<>]{1,200})[\"']")
+
+GIVEN, GIVEN_IN_LAUNCH = "given", "given in launch"
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.contents import Contents
 
 
 def _packages(text: str) -> Sequence[str]:
@@ -155,6 +169,23 @@ def _distributions(text: str) -> Sequence[str]:
     return sorted(found or elsewhere)
 
 
+def _variables(text: str) -> Sequence[str]:
+    """The environment variables that a launch file reads: after ``!`` those without a default, after ``+`` those of them that are read
+    again, comments left out, after ``?`` those with a default.
+    """
+    if "env" not in text:
+        return ()
+    read = set(_ENV.findall(text))
+    again = {name for name, times in Counter(_ENV.findall(_COMMENT.sub("", text))).items() if times > 1} if read else set()
+    optional = {one or other for one, other in _OPTIONAL.findall(text)}
+    return sorted(kind + name for kind, names in (("!", read), ("+", again), ("?", optional)) for name in names)
+
+
+def _machines(text: str) -> Sequence[str]:
+    """The names of the machines that a launch file defines, without those that are computed."""
+    return sorted({name.strip() for name in _MACHINE.findall(text)})
+
+
 PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {
     "packages": _packages,
     "writing": _writing,
@@ -163,24 +194,54 @@ PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {
     "remaps": _remaps,
     "lifecycle": _lifecycle,
     "distributions": _distributions,
+    GIVEN: given_args.elsewhere,
+    GIVEN_IN_LAUNCH: given_args.in_launch_file,
+    "variables": _variables,
+    "machines": _machines,
 }
 """What of a text something may hang on, where it does not hang on all of it: a change of the rest changes nothing."""
+_LONG = frozenset(("writing",))
+"""Parts that may be all of a text: only their states are kept."""
 
 
-def part_of(file: str, part: str) -> Sequence[str]:
-    """The ``part`` of the text of ``file``; nothing where it cannot be read. What it hangs on is not noted."""
+def part_of(file: str, part: str, held: Contents | None = None) -> Sequence[str]:
+    """The ``part`` of the text of ``file`` (absolute); nothing where it cannot be read. What it hangs on is not noted.
+
+    ``held`` may know what the file holds.
+    """
     try:
-        return _part(read_bytes(file), part)
+        return _part(read_bytes(file), part) if held is None or part in _LONG else _known(file, part, held)
     except (OSError, ValueError):
         return ()
 
 
+def _known(file: str, part: str, held: Contents) -> list[str]:
+    return held.fact(file, f"lines {part}", lambda data: list(_part(data, part)), list, _texts)
+
+
+def _texts(known: Sequence[str]) -> list[str]:
+    """What was kept. Raises TypeError where it is nothing of that kind."""
+    if not isinstance(known, list) or not all(isinstance(each, str) for each in known):
+        raise TypeError
+    return known
+
+
 def part_state(data: bytes, part: str) -> str:
     """Equal for texts of which the ``part`` is the same; ``data`` is what the file holds."""
+    return _state(_part(data, part))
+
+
+def known_state(file: str, part: str, held: Contents) -> str:
+    """As :func:`part_state`, of what ``held`` knows of a file (absolute). Raises OSError where it cannot be read."""
+    if part in _LONG:
+        return held.fact(file, f"part {part}", lambda data: part_state(data, part), str, str)
+    return _state(_known(file, part, held))
+
+
+def _state(lines: Sequence[str]) -> str:
     from hashlib import sha1
 
-    listed = "\0".join(_part(data, part)).encode("utf-8", "surrogateescape")
-    return f"part {sha1(listed, usedforsecurity=False).hexdigest()}"
+    return f"part {sha1(chr(0).join(lines).encode('utf-8', 'surrogateescape'), usedforsecurity=False).hexdigest()}"
 
 
 def _part(data: bytes, part: str) -> Sequence[str]:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.container_homes import HIDDEN, MOST_HIDDEN
 from launchlint.workspace.looking import walk
-from launchlint.workspace.texts import texts
+from launchlint.workspace.texts import parts, texts
 
 _MOST_DIRECTORIES = 2_000
 _MOST_FILES = 600
@@ -24,12 +24,12 @@ _DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)|(?<=\\\n)[ \t]*([A
 """In an image; one ``ENV`` may go on in further lines."""
 _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", re.MULTILINE)
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
-# No grammar, a look through whole files, comments and all: that a variable is read in many files is a reason for less, never for more.
-_LAUNCH = re.compile(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
-_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
-_OPTIONAL = re.compile(r"\$\(\s*(?:optenv\s+([A-Za-z_]\w*)|env\s+([A-Za-z_]\w*)\s+[^\s)])")
-"""Read with a default, in ROS 1 or in ROS 2."""
 _SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"']([A-Za-z_]\w*)[\"']")
+_AGAIN, _OPTIONAL = "+", "?"
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.contents import Contents
 
 
 class Variables(NamedTuple):
@@ -66,17 +66,22 @@ class Readers(NamedTuple):
         return prefix, sum(1 for each in self.counts if each.startswith(prefix) and each not in self.optional)
 
 
-def read_in_launch_files(directories: Iterable[str]) -> Readers:
-    """The variables that launch files below ``directories`` read. Bounded; never raises."""
+def read_in_launch_files(directories: Iterable[str], held: Contents | None = None) -> Readers:
+    """The variables that launch files below ``directories`` read. Bounded; never raises. ``held`` may know what the files hold.
+
+    It is no grammar, but a look through whole files, comments and all: that a variable is read in many files is a reason for less, never
+    for more.
+    """
     counted: Counter[str] = Counter()
-    again: set[str] = set()
-    optional: set[str] = set()
+    more: dict[str, set[str]] = {_AGAIN: set(), _OPTIONAL: set()}
     looked: set[str] = set()
-    for _, text in texts(_places(directories, lambda name: name.endswith(_LAUNCH_ENDS)), _MOST_FILES, looked):
-        counted.update(set(_LAUNCH.findall(text)))
-        again.update(name for name, times in Counter(_LAUNCH.findall(_COMMENT.sub("", text))).items() if times > 1)
-        optional.update(one or other for one, other in _OPTIONAL.findall(text))
-    return Readers(counted, frozenset(again), frozenset(optional), frozenset(looked))
+    for _, names in parts(_places(directories, lambda name: name.endswith(_LAUNCH_ENDS)), _MOST_FILES, looked, "variables", held):
+        for name in names:
+            if name[:1] in more:
+                more[name[0]].add(name[1:])
+            else:
+                counted[name[1:]] += 1
+    return Readers(counted, frozenset(more[_AGAIN]), frozenset(more[_OPTIONAL]), frozenset(looked))
 
 
 def _places(directories: Iterable[str], wanted: Callable[[str], bool]) -> Iterator[tuple[str, list[str]]]:

@@ -15,7 +15,7 @@ def test_a_line_gives_what_stands_in_it(tmp_path: Path) -> None:
     assert uses.giver("/elsewhere/base.launch", "map") == given
     assert uses.giver("/elsewhere/arm.launch", "side") == given
     assert uses.giver("/elsewhere/base.launch", "side") is None
-    assert given in uses.looked
+    assert {str(tmp_path), f"{tmp_path}/start.sh//given"} <= uses.looked
 
 
 def test_a_launch_file_gives_what_its_nodes_are_given(tmp_path: Path) -> None:

@@ -216,8 +216,9 @@ def _remaps(packages: Packages) -> _Remaps:
     of_programs: dict[str, list[_Written]] = {}
     of_sources: dict[str, list[tuple[str, _Written]]] = {}
     grouped: dict[tuple[str, str], list[_Written]] = {}
-    for word, files in files_by_word(packages.workspaces, _LAUNCH_ENDS, "remaps", _MOST_FILES).items():
-        program, source, target = word.split("\t")
+    for word, files in files_by_word(packages.workspaces, _LAUNCH_ENDS, "remaps", _MOST_FILES, packages.held).items():
+        program, _, names = word.partition("\t")
+        source, _, target = names.partition("\t")
         last = _WITH_ARGS if "$(" in source else source.rstrip("/").rpartition("/")[2].lstrip("~")
         grouped.setdefault((program, last), []).append(_Written(source, target, files))
     for (program, last), remaps in grouped.items():

@@ -119,4 +119,4 @@ def _telling(packages: Packages, name: str) -> tuple[str, ...]:
 
 def _kept(packages: Packages) -> Mapping[str, tuple[str, ...]]:
     """The files that take nodes to other states, by the names that they hold."""
-    return files_by_word(packages.workspaces, _ENDS, "lifecycle")
+    return files_by_word(packages.workspaces, _ENDS, "lifecycle", held=packages.held)

@@ -31,4 +31,4 @@ def _saying(packages: Packages, what: str) -> tuple[str, ...]:
 
 def _kept(packages: Packages) -> Mapping[str, tuple[str, ...]]:
     """What the sources say, each with the first files that do."""
-    return files_by_word(packages.workspaces, _SOURCE_ENDS, "topics", _MOST_KEPT)
+    return files_by_word(packages.workspaces, _SOURCE_ENDS, "topics", _MOST_KEPT, packages.held)
