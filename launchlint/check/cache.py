@@ -24,7 +24,7 @@ from launchlint.check.file import INTERNAL_ERROR, FileResult
 from launchlint.check.in_order import ReadOnce
 from launchlint.check.options import EntryRequest
 from launchlint.check.own_code import own_code
-from launchlint.check.rows import BROKEN, SEAL, Row, Rows, dump, forget_oldest, sealed
+from launchlint.check.rows import BROKEN, SEAL, Row, Rows, digest_of, dump, forget_oldest, sealed, states_digest, with_digest
 from launchlint.check.surroundings import Surroundings, user
 from launchlint.named_tuple import NamedTuple
 from launchlint.workspace.contents import Contents
@@ -87,6 +87,7 @@ class Cache:
         self._held_written = self._held_before
         self._true: dict[str, Row] = {}
         self._given: dict[str, KeptAnswer] = {}
+        self._given_written: dict[str, KeptAnswer] = {}
         self._paths: dict[str, frozenset[str] | None] = {}
         self._shared_now: dict[str, list[Look]] = {}
         self._stored: dict[str, Hang] = {}
@@ -187,10 +188,10 @@ class Cache:
         except BROKEN:
             return None
 
-    def looks_of(self, hangs: Iterable[Hang], answers: Iterable[Answer]) -> Iterator[Look]:
-        """All looks that rows of results hang on, and ``answers`` that are kept; but those that the stamp tells of."""
+    def looks_of(self, hangs: Iterable[Hang], asked: Iterable[str]) -> Iterator[Look]:
+        """All looks that rows of results hang on, and the kept answers to what was ``asked``; but those that the stamp tells of."""
         names: set[str] = set()
-        questions = {each.question for each in answers}
+        questions = set(asked)
         programs: set[tuple[str, ...]] = set()
         for hang in hangs:
             yield from hang.looks[0]
@@ -239,7 +240,7 @@ class Cache:
             return False
         if self._is_to_ask(row):
             said = self._row("said", _of(table, key))
-            if said is None or said.value[0] != _states_digest(said.value[1], self.states) or said.value[0] != (told or said.value[0]):
+            if said is None or said.value[0] != states_digest(said.value[1], self.states) or said.value[0] != (told or said.value[0]):
                 return False
         self._holding.add(row.seal)
         return True
@@ -344,12 +345,12 @@ class Cache:
 
         def put(table: str, key: str, value: Any, said: Sequence[Look]) -> None:
             new[table][key] = sealed(key, value)
-            new["said"][_of(table, key)] = sealed(_of(table, key), _with_digest(said))
+            new["said"][_of(table, key)] = sealed(_of(table, key), with_digest(said))
 
         def share(shared: Iterable[Shared]) -> list[str]:
             for each in shared:
                 if each.name not in new["shared"]:
-                    unsaid, said = self._parted(each.looks)
+                    unsaid, said = self.parted(each.looks)
                     put("shared", each.name, unsaid, said)
                     self._shared_now[each.name] = unsaid
             return [each.name for each in shared]
@@ -366,7 +367,7 @@ class Cache:
         def around(looks: Looks) -> tuple[list[Any], list[Look]]:
             for each in looks.answers:
                 give(each)
-            unsaid, said = self._parted(looks.own)
+            unsaid, said = self.parted(looks.own)
             return [unsaid, share(looks.shared), [each[:2] for each in looks.answers], digest_of(said)], said
 
         given = self._given
@@ -403,7 +404,7 @@ class Cache:
 
     def write(self, rows: Mapping[str, Mapping[str, str]], said: Mapping[str, Sequence[Look]], gone: Mapping[str, Iterable[str]]) -> None:
         """Keep ``rows``, as :func:`sealed` makes them, by table and key, and what the stamp tells of groups among them."""
-        told = {_of("groups", key): sealed(_of("groups", key), _with_digest(looks)) for key, looks in said.items()}
+        told = {_of("groups", key): sealed(_of("groups", key), with_digest(looks)) for key, looks in said.items()}
         held = {**rows.get("held", {}), **self._now_holding(rows), **self._now_known()}
         self._rows.write({**rows, "said": told, "held": held}, gone)
 
@@ -418,14 +419,15 @@ class Cache:
 
     def _now_answered(self, given: Mapping[str, KeptAnswer]) -> dict[str, str]:
         """The row of all answers, where some were ``given`` in this run."""
-        if not given:
+        if given == self._given_written:
             return {}
+        self._given_written = dict(given)
         holding = {
             question: known for question, known in self._answers.items() if all(self._shared.get(name, True) for name in known.names)
         }
         return {_ANSWERS: sealed(_ANSWERS, answers_to_json({**holding, **given}))}
 
-    def _parted(self, looks: Iterable[Look]) -> tuple[list[Look], list[Look]]:
+    def parted(self, looks: Iterable[Look]) -> tuple[list[Look], list[Look]]:
         """The looks of which the stamp of the workspaces says nothing, and the others."""
         unsaid: list[Look] = []
         said: list[Look] = []
@@ -454,21 +456,6 @@ def _gathered(rows: Iterable[Row | None], names: Callable[[Any], Iterable[str]])
 def _of(table: str, key: str) -> str:
     """The key of what the stamp of the workspaces said of a row."""
     return f"{table} {key}"
-
-
-def _with_digest(looks: Sequence[Look]) -> list[Any]:
-    """What is kept of what the stamp tells: one digest of all states, and the paths."""
-    return [digest_of(looks), [path for path, _ in looks]]
-
-
-def _states_digest(paths: Iterable[str], states: States) -> str:
-    return digest_of((path, states.of(path)) for path in paths)
-
-
-def digest_of(looks: Iterable[Look]) -> str:
-    """Equal for equal states at equal places."""
-    text = "\0".join(f"{path}\0{state}" for path, state in looks)
-    return hashlib.sha1(text.encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
 def is_plain(request: EntryRequest) -> bool:

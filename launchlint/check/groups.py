@@ -12,16 +12,15 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from contextlib import suppress
 from typing import Any
 
-from launchlint.check.cache import Cache, Hang, digest_of, key_of
+from launchlint.check.cache import Cache, Hang, key_of
 from launchlint.check.codec import at_files_from_json, at_files_to_json, member_from_json, member_to_json
 from launchlint.check.entry import EntryResult
 from launchlint.check.gathered import AtFile, Member, Standing, files_shown, gathered
 from launchlint.check.merge import is_part
 from launchlint.check.options import EntryRequest
-from launchlint.check.rows import BROKEN, SEAL, dump, sealed
+from launchlint.check.rows import BROKEN, SEAL, digest_of, dump, sealed
 from launchlint.garbage import made_to_stay
 from launchlint.workspace.states import Look
 
@@ -41,19 +40,24 @@ class Groups:
             self._keys.setdefault(_directory(request.file), []).append(key)
         self._fits = True
         self.forget()
-        with made_to_stay(), suppress(*BROKEN):
-            self._read()
+        with made_to_stay():
+            try:
+                self._find()
+            except BROKEN:
+                self.forget()
 
     def forget(self) -> None:
         """What is kept is of no use."""
+        self.seal = ""
         self._seals: dict[str, dict[str, str]] = {"groups": {}, "told": {}}
         self._parts: frozenset[str] = frozenset()
+        self._written: dict[str, Any] = {}
         self._before: dict[str, Member] = {}
         self._told: dict[str, dict[str, AtFile]] = {}
         self._true: dict[str, Hang] = {}
 
-    def _read(self) -> None:
-        """Read what is kept, all of it or nothing."""
+    def _find(self) -> None:
+        """Find what is kept, all of it or nothing, and what of it is true."""
         row = self._cache.rows("held", (_TOGETHER,)).get(_TOGETHER)
         if row is None:
             return
@@ -62,22 +66,65 @@ class Groups:
             self._fits = len(self._requests) >= count  # else what is kept of more is worth more
             return
         found = self._cache.rows("groups", list(groups))
-        files = self._cache.rows("told", list(told))
         if any(key not in found or found[key].seal != seal for key, seal in groups.items()):
             return
-        if any(key not in files or files[key].seal != seal for key, seal in told.items()):
-            return
         self._cache.fetch_for("groups", found)
-        members = {key: tuple(map(member_from_json, each.value[-1])) for key, each in found.items()}
-        self._told = {key: at_files_from_json(each.value) for key, each in files.items()}
         self._seals = {"groups": groups, "told": told}
         self._parts = frozenset(parts)
-        self._before = {member.key: member for several in members.values() for member in several}
+        self._written = {member[0]: member for each in found.values() for member in each.value[-1]}
         for key, each in found.items():
-            is_whole = {member.key for member in members[key]} == set(self._keys.get(key, ()))
+            is_whole = {member[0] for member in each.value[-1]} == set(self._keys.get(key, ()))
             if is_whole and self._cache.is_true("groups", key, each):
                 files_read, variables, looks, programs, _ = each.value
                 self._true[key] = Hang(each.seal, files_read, variables, looks, programs, ())
+        self.seal = row.seal
+
+    def read(self) -> bool:
+        """Read all of it; False where that cannot be done any more."""
+        try:
+            with made_to_stay():
+                self._before = {key: member_from_json(each) for key, each in self._written.items()}
+                return self._read_told(self._seals["told"])
+        except BROKEN:
+            return False
+
+    def _read_told(self, directories: Iterable[str]) -> bool:
+        """Read what was told of the files in ``directories``; False where another run has written that since."""
+        seals = self._seals["told"]
+        rows = self._cache.rows("told", [each for each in directories if each in seals and each not in self._told])
+        self._told.update((key, at_files_from_json(row.value)) for key, row in rows.items() if row.seal == seals[key])
+        return all(each in self._told for each in directories if each in seals)
+
+    def say_the_same(self, results: Sequence[EntryResult]) -> bool:
+        """Whether ``results``, of those that were unknown, say the same as before, and so do all of the files of which they show anything.
+
+        Then all that is told is what was told, if that does not hang on anything else.
+        """
+        try:
+            return self._written.keys() == self._requests.keys() and self._say_the_same(results)
+        except BROKEN:
+            return False
+
+    def _say_the_same(self, results: Sequence[EntryResult]) -> bool:
+        new = {key_of(result.request): result for result in results}
+        now = {key: self._new(key, result) for key, result in new.items()}
+        others = {key: member for key, member in now.items() if not member.seal or member.seal != self._written[key][1]}
+        if not all(member.seal and _unsealed(member_to_json(member)) == _unsealed(self._written[key]) for key, member in others.items()):
+            return False
+        shown = frozenset(path for member in others.values() for path in member.shown)
+        seals = {key: each[1] for key, each in self._written.items() if not shown.isdisjoint(each[2])}
+        again = self._gathered(new, {**seals, **{key: member.seal for key, member in others.items()}}, shown, self._parts)
+        if again is None or not self._read_told({_directory(path) for path in shown}):
+            return False
+        return all(again.get(path) == self._told.get(_directory(path), {}).get(path) for path in shown)
+
+    def keep_the_same(self, results: Sequence[EntryResult]) -> list[Hang] | None:
+        """As :meth:`keep`, where ``results`` say the same as before."""
+        now = [self._new(key_of(result.request), result) for result in results]
+        try:
+            return self._keep(now, None, self._parts)
+        except BROKEN:
+            return None
 
     @property
     def unknown(self) -> list[EntryRequest]:
@@ -85,7 +132,7 @@ class Groups:
         return [request for key, request in self._requests.items() if not self._holds(key, request)]
 
     def _holds(self, key: str, request: EntryRequest) -> bool:
-        return key in self._before and _directory(request.file) in self._true
+        return key in self._written and _directory(request.file) in self._true
 
     def members(self, results: Iterable[EntryResult]) -> list[Member]:
         """What is needed of each request, in order, with the ``results`` of those that were unknown."""
@@ -100,6 +147,10 @@ class Groups:
         before, hang = self._before.get(key), self._cache.hang_of(key)
         if before is not None and hang is not None and before.seal == hang.seal:
             return before  # one that is as it was, beside others that are not
+        return self._new(key, result)
+
+    def _new(self, key: str, result: EntryResult) -> Member:
+        hang = self._cache.hang_of(key)
         standing = Standing(result.path, result.outcome, result.sight)
         return Member(key, "" if hang is None else hang.seal, tuple(sorted(files_shown(result))), result.summary, standing)
 
@@ -108,13 +159,21 @@ class Groups:
         concerned = self._concerned(members, parts)
         new = {key_of(result.request): result for result in results}
         showing = {member.key: member.seal for member in members if not concerned.isdisjoint(member.shown)}
+        again = self._gathered(new, showing, concerned, parts)
+        if again is None:
+            return None
+        told = {path: file for files in self._told.values() for path, file in files.items() if path not in concerned}
+        return {**told, **again}
+
+    def _gathered(
+        self, new: Mapping[str, EntryResult], showing: Mapping[str, str], concerned: frozenset[str], parts: frozenset[str]
+    ) -> dict[str, AtFile] | None:
+        """What is told of ``concerned`` files, of which those entry files show anything that are ``showing``, with their seals."""
         more = self._cache.results({key: self._requests[key] for key in showing if key not in new}, showing)
         if more is None:
             return None
         several = [*more, *(new[key] for key in showing if key in new)]
-        again = gathered(several, [each for each in several if not is_part(each.summary, parts)], concerned)
-        told = {path: file for files in self._told.values() for path, file in files.items() if path not in concerned}
-        return {**told, **again}
+        return gathered(several, [each for each in several if not is_part(each.summary, parts)], concerned)
 
     def _concerned(self, members: Sequence[Member], parts: frozenset[str]) -> frozenset[str]:
         """The files of which something else may be told than before."""
@@ -133,16 +192,17 @@ class Groups:
         except BROKEN:
             return None
 
-    def _keep(self, members: Sequence[Member], files: Mapping[str, AtFile], parts: frozenset[str]) -> list[Hang] | None:
+    def _keep(self, members: Sequence[Member], files: Mapping[str, AtFile] | None, parts: frozenset[str]) -> list[Hang] | None:
+        """``files`` is None where what is told of them is as it was."""
         by_key = {member.key: member for member in members}
         groups: dict[str, str] = {}
         said: dict[str, tuple[Look, ...]] = {}
         hanging: list[Hang] = []
         for directory, keys in self._keys.items():
-            several = [by_key[key] for key in keys]
-            if directory in self._true and all(self._before.get(each.key) is each for each in several):
+            if directory in self._true:  # none of these was unknown
                 hanging.append(self._true[directory])
                 continue
+            several = [by_key[key] for key in keys]
             hangs = [self._cache.hang_of(each.key) for each in several]
             whole = [each for each in hangs if each is not None]
             if len(whole) < len(hangs):
@@ -151,23 +211,29 @@ class Groups:
             hanging.append(together)
             groups[directory] = sealed(directory, [*together[1:-1], list(map(member_to_json, several))])
             said[directory] = together.said
-        told = _by_directory(files)
-        other = {directory: each for directory, each in told.items() if each != self._told.get(directory)}
-        rows = {directory: sealed(directory, at_files_to_json(each)) for directory, each in other.items()}
-        seals = {
-            "groups": _seals(self._keys, self._seals["groups"], groups),
-            "told": _seals(told, self._seals["told"], rows),
-        }
+        rows: dict[str, str] = {}
+        seals = {"groups": _seals(self._keys, self._seals["groups"], groups), "told": self._seals["told"]}
+        if files is not None:
+            told = _by_directory(files)
+            other = {directory: each for directory, each in told.items() if each != self._told.get(directory)}
+            rows = {directory: sealed(directory, at_files_to_json(each)) for directory, each in other.items()}
+            seals["told"] = _seals(told, self._seals["told"], rows)
         if groups or rows or seals != self._seals or parts != self._parts:
             whole_row = [self._asked, len(self._requests), seals["groups"], seals["told"], sorted(parts)]
             gone = {table: [key for key in self._seals[table] if key not in seals[table]] for table in seals}
             held = {_TOGETHER: sealed(_TOGETHER, whole_row)}
             self._cache.write({"groups": groups, "told": rows, "held": held}, said, gone)
+            self.seal = held[_TOGETHER][:SEAL]
         return hanging
 
 
 def _seals(keys: Collection[str], before: Mapping[str, str], rows: Mapping[str, str]) -> dict[str, str]:
     return {key: rows[key][:SEAL] if key in rows else before[key] for key in keys}
+
+
+def _unsealed(member: Any) -> str:
+    """What a member says, as :func:`member_to_json` gives it, whatever seal its result has."""
+    return dump([member[0], *member[2:]])
 
 
 def _directory(path: str) -> str:

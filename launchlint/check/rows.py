@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -12,6 +13,8 @@ from launchlint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     import sqlite3
+
+    from launchlint.workspace.states import States
 
 MOST_DATABASES = 24
 """Databases that are kept, the latest used; each set of options and workspaces has one."""
@@ -104,6 +107,22 @@ def sealed(key: str, value: Any) -> str:
 def dump(value: Any) -> str:
     """As JSON, in as few characters as can be."""
     return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
+
+
+def with_digest(looks: Sequence[tuple[str, str]]) -> list[Any]:
+    """What is kept of what the stamp tells: one digest of all states, and the paths."""
+    return [digest_of(looks), [path for path, _ in looks]]
+
+
+def states_digest(paths: Iterable[str], states: States) -> str:
+    """The same of what there is at ``paths`` now."""
+    return digest_of((path, states.of(path)) for path in paths)
+
+
+def digest_of(looks: Iterable[tuple[str, str]]) -> str:
+    """Equal for equal states at equal places."""
+    text = "\0".join(f"{path}\0{state}" for path, state in looks)
+    return hashlib.sha1(text.encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
 def _open(directory: str, name: str) -> sqlite3.Connection:

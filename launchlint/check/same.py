@@ -3,6 +3,9 @@
 That is so where every file that was met is as it was by what ``stat`` says of it (:mod:`launchlint.workspace.contents`), and so is all that
 anything hung on of which that says nothing: what had changed a moment ago, and what is not met, in hidden directories and outside of the
 workspaces.
+
+Where some results are new, and say what those said that were there before, what is told of all of them is as it was, too, while all is as
+it was that was looked at to tell it.
 """
 
 from __future__ import annotations
@@ -14,16 +17,26 @@ from typing import Any
 
 from launchlint.check.cache import Cache, Hang
 from launchlint.check.codec import outcome_from_json, outcome_to_json
+from launchlint.check.groups import Groups
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.merge import Outcome
 from launchlint.check.options import EntryRequest, Options
-from launchlint.check.rows import BROKEN, sealed
+from launchlint.check.rows import BROKEN, SEAL, sealed
 from launchlint.workspace.looking import PART, QUESTION, Looked
 from launchlint.workspace.states import Look
 
-_ROW = "outcome"
+_RUN = "run"
+"""The row of a run that may be the same: what it hangs on, and the seal of the row of what was told."""
+_TELLING = "telling"
+"""The row that joins what was kept of single results (:attr:`Groups.seal`), what was looked at to tell it, and what was told."""
+_LOOKED = "looked"
+_OUTCOME = "outcome"
 _MOST_RECENT = 1_000
 """Files changed so recently that their content has to be looked at; where there are more, nothing is kept."""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.check.entry import EntryResult
 
 
 class SameRun:
@@ -38,13 +51,35 @@ class SameRun:
 
     def outcome(self) -> Outcome | None:
         """What was told, where it would be told again."""
-        row = self._cache.rows("held", (_ROW,)).get(_ROW)
         with suppress(*BROKEN):
-            if row is not None:
-                key, files, hang, outcome = row.value
-                if key == self._key and files == self._cache.surroundings.all_files and self._is_true(*hang):
-                    return outcome_from_json(outcome)
+            key, files, hang, outcome = self._row(_RUN)
+            if key == self._key and files == self._cache.surroundings.all_files and self._is_true(*hang):
+                return outcome_from_json(self._row(_OUTCOME, outcome))
         return None
+
+    def told_again(self, groups: Groups, results: Sequence[EntryResult]) -> Outcome | None:
+        """What was told, where the ``results`` of those that were unknown change nothing of it."""
+        surroundings, states = self._cache.surroundings, self._cache.states
+        with suppress(*BROKEN):
+            key, seal, stamp, *seals = self._row(_TELLING)
+            if (key, seal, stamp) != (self._key, groups.seal, surroundings.stamp) or not groups.say_the_same(results):
+                return None
+            looks, answers, unmet = self._row(_LOOKED, seals[0])
+            if all(states.of(path) == known for path, known in (*looks, *answers)):
+                outcome = outcome_from_json(self._row(_OUTCOME, seals[1]))
+                self._cache.store(())  # what was answered meanwhile
+                hangs = groups.keep_the_same(results)
+                if hangs is not None:
+                    self._keep(hangs, {*unmet, *surroundings.recent}, [question for question, _ in answers], groups, seals, {})
+                return outcome
+        return None
+
+    def _row(self, name: str, seal: str = "") -> Any:
+        """What is in a row, with this seal where one is given. Raises KeyError where there is none."""
+        row = self._cache.rows("held", (name,))[name]
+        if seal and row.seal != seal:
+            raise KeyError(name)
+        return row.value
 
     def _is_true(self, contents: Iterable[Look], variables: Iterable[tuple[str, str | None]], looks: Iterable[Look]) -> bool:
         cache = self._cache
@@ -54,15 +89,39 @@ class SameRun:
             and all(cache.states.of(path) == known for path, known in looks)
         )
 
-    def keep(self, outcome: Outcome, hangs: Sequence[Hang], looked: Looked) -> None:
-        """Keep what is told now, from results that hang on ``hangs``, and ``looked`` at besides."""
-        if outcome.crashed or len(self._cache.surroundings.recent) > _MOST_RECENT:
+    def keep(self, outcome: Outcome, hangs: Sequence[Hang], looked: Looked, groups: Groups) -> None:
+        """Keep what is told now, from results that hang on ``hangs`` and are kept in ``groups``, and ``looked`` at besides."""
+        if outcome.crashed:
             return
+        cache = self._cache
         with suppress(*BROKEN):
-            files, hang = self._cache.surroundings.all_files, self._elsewhere(hangs, looked)
-            self._cache.write({"held": {_ROW: sealed(_ROW, [self._key, files, hang, outcome_to_json(outcome)])}}, {}, {})
+            around = frozenset().union(looked.paths, *looked.wholes)
+            answers = [(each.question, each.state) for each in looked.answers]
+            unsaid = cache.parted((path, cache.states.of(path)) for path in sorted(around))[0]
+            unmet = [path for path, _ in unsaid if not path.startswith(QUESTION) and not cache.surroundings.has_met(path)]
+            told = sealed(_OUTCOME, outcome_to_json(outcome))
+            rows = {_LOOKED: sealed(_LOOKED, [unsaid, answers, unmet]), _OUTCOME: told}
+            if not cache.surroundings.are_as_met({path.partition(PART)[0] for path, _ in unsaid}):
+                return  # something has changed while this was told
+            seals = [rows[name][:SEAL] for name in (_LOOKED, _OUTCOME)]
+            self._keep(hangs, around, [question for question, _ in answers], groups, seals, rows)
 
-    def _elsewhere(self, hangs: Sequence[Hang], looked: Looked) -> list[Any]:
+    def _keep(
+        self,
+        hangs: Sequence[Hang],
+        around: Iterable[str],
+        questions: Iterable[str],
+        groups: Groups,
+        seals: Sequence[str],
+        rows: dict[str, str],
+    ) -> None:
+        rows[_TELLING] = sealed(_TELLING, [self._key, groups.seal, self._cache.surroundings.stamp, *seals])
+        if len(self._cache.surroundings.recent) <= _MOST_RECENT:
+            files, hang = self._cache.surroundings.all_files, self._elsewhere(hangs, around, questions)
+            rows[_RUN] = sealed(_RUN, [self._key, files, hang, seals[-1]])
+        self._cache.write({"held": rows}, {}, {})
+
+    def _elsewhere(self, hangs: Sequence[Hang], around: Iterable[str], questions: Iterable[str]) -> list[Any]:
         """All that the files that were met do not tell, or not for certain since they are recent: contents, variables, looks."""
         cache, recent = self._cache, self._cache.surroundings.recent
         told: dict[str, bool] = {}
@@ -76,10 +135,9 @@ class SameRun:
 
         contents: dict[str, str] = {}
         variables: dict[str, str | None] = {}
-        around = frozenset().union(looked.paths, *looked.wholes)
         looks = {path: cache.states.of(path) for path in sorted(around) if is_elsewhere(path)}
         for hang in hangs:
             variables.update(hang.variables)
             contents.update((path, known) for path, known in hang.dependencies if is_elsewhere(path))
-        looks.update((path, known) for path, known in cache.looks_of(hangs, looked.answers) if is_elsewhere(path))
+        looks.update((path, known) for path, known in cache.looks_of(hangs, questions) if is_elsewhere(path))
         return [list(contents.items()), list(variables.items()), list(looks.items())]

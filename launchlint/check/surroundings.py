@@ -97,6 +97,10 @@ class Surroundings:
             return bool(self._tree_state(file.removesuffix(_ALL_BELOW)))
         return file in self._files or file in self._listings or self._is_missing(file)
 
+    def are_as_met(self, paths: Iterable[str]) -> bool:
+        """Whether those of absolute paths that were met as files are now what they were then, by what ``stat`` says."""
+        return all(self._held.is_as_seen(path) for path in paths if path in self._files)
+
     @cached_property
     def recent(self) -> frozenset[str]:
         """The files that were met and may change so that ``stat`` does not tell."""

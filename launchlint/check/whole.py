@@ -48,8 +48,13 @@ def check_whole(
         packages.kept = packages.colcon.kept = cache.kept_answer
         groups = Groups(cache, requests, asked)
         results = check_missing(groups.unknown, checker, cache, jobs, progress, reading)
-        members, led_to = _members(groups, results)
-        files = groups.files(results, members, led_to)
+        before = same.told_again(groups, results)
+        if before is not None:
+            return before
+        files = None
+        if groups.read():
+            members, led_to = _members(groups, results)
+            files = groups.files(results, members, led_to)
         if files is None:
             groups.forget()
             results = check_missing(requests, checker, cache, jobs, progress, reading)
@@ -59,7 +64,7 @@ def check_whole(
         outcome, looked = watched(lambda: _told(members, led_to, files, checker, per_file, asked))
         if hangs is not None:
             cache.store(())  # what was answered meanwhile
-            same.keep(outcome, hangs, looked)
+            same.keep(outcome, hangs, looked, groups)
         return outcome
     finally:
         cache.close()

@@ -85,6 +85,13 @@ class Contents:
         """What ``stat`` has said of a file that was :meth:`seen`."""
         return " ".join(map(str, _signature(self._statuses[path])))
 
+    def is_as_seen(self, path: str) -> bool:
+        """Whether ``stat`` now says the same of a file that was :meth:`seen`."""
+        try:
+            return _signature(os.stat(path)) == _signature(self._statuses[path])
+        except OSError:
+            return False
+
     def sha1(self, path: str, largest: int = LARGEST_FILE) -> str | None:
         """SHA-1 of a plain file of at most ``largest`` bytes, in hexadecimal; None where there is none that can be read."""
         try:

@@ -287,9 +287,10 @@ class Packages:
 
     def distributions(self) -> Distributions:
         """What the workspaces say of ROS distributions and of installing (in a README, a workflow, an image, a script …)."""
+        from launchlint.workspace.distributions import Distributions
         from launchlint.workspace.surveys import distributions
 
-        return self.answer(distributions, "")
+        return Distributions(*self.answer(distributions, ""))
 
     def survey_distributions(self) -> Distributions:
         """The same, with all that was looked at."""

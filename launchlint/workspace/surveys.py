@@ -10,7 +10,6 @@ from launchlint.workspace.looking import note, question
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.workspace.distributions import Distributions
     from launchlint.workspace.packages import Packages
 
 
@@ -97,9 +96,10 @@ def map_saved_in(packages: Packages, name: str) -> str | None:
 
 
 @question
-def distributions(packages: Packages, _: str) -> Distributions:
-    """As :meth:`Packages.distributions`."""
-    return packages.survey_distributions()._replace(looked=frozenset(), fetched={})
+def distributions(packages: Packages, _: str) -> tuple[frozenset[str], frozenset[str], frozenset[str], frozenset[str]]:
+    """As :meth:`Packages.distributions`, in its order, without what was looked at, and what is fetched."""
+    found = packages.survey_distributions()
+    return found.named, frozenset(), found.installs, found.templates
 
 
 @question

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 
 from launchlint.late import late
 from launchlint.workspace import given_args
@@ -235,7 +236,13 @@ def known_state(file: str, part: str, held: Contents) -> str:
     """As :func:`part_state`, of what ``held`` knows of a file (absolute). Raises OSError where it cannot be read."""
     if part in _LONG:
         return held.fact(file, f"part {part}", lambda data: part_state(data, part), str, str)
-    return _state(_known(file, part, held))
+    lines = _known(file, part, held)
+    return _state(lines) if lines else _nothing()
+
+
+@cache
+def _nothing() -> str:
+    return _state(())
 
 
 def _state(lines: Sequence[str]) -> str:

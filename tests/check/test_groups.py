@@ -195,8 +195,48 @@ def test_few_are_read_where_one_has_changed(workspace: Workspace) -> None:
     replace("gamma/launch/e3.launch", 'name="drive"', 'name="driver"')(workspace.directory)
     first, again = workspace.agrees()
     directory = workspaces.EACH
-    assert first == [1, directory - 1, 1, 1]  # those of its directory are looked at one by one
+    assert first == [1, directory - 1, 1, 0]  # those of its directory are looked at one by one; nothing else is told of it
     assert again == NOTHING
+    replace("gamma/launch/e3.launch", "<launch>", "<launch>\n<arg name='idle'/>")(workspace.directory)
+    first, again = workspace.agrees()
+    assert first == [1, directory - 1, 1, 1]
+    assert again == NOTHING
+
+
+def test_what_says_the_same_is_told_as_it_was_unless_that_hangs_on_more(workspace: Workspace) -> None:
+    """One launch file that says what it said, and beside it something that only those look at who judge all findings."""
+    workspace.run()
+    changes = {
+        "a document": put("README.md", "roslaunch beta broken.launch idle:=2\n"),
+        "a launch file": put("delta/calls/new.launch", CALLS.format(GIVES.format("new") + GIVES.format("x").replace("robot", "idle"))),
+        "a manifest": replace("beta/package.xml", "</package>", "<exec_depend>roscpp</exec_depend></package>"),
+        "a setup assistant": put("alpha/.setup_assistant", "moveit_setup_assistant_config: {}\n"),
+        "a level": put(".launchlint.yaml", "severity:\n  LL206: error\n"),
+    }
+    for number, (name, change) in enumerate(changes.items()):
+        put("gamma/launch/e3.launch", f"<launch>\n</launch>\n<!-- {number} -->\n")(workspace.directory)
+        assert workspace.agrees()[1] == NOTHING
+        put("gamma/launch/e3.launch", f"<launch>\n</launch>\n<!-- {number} again -->\n")(workspace.directory)
+        change(workspace.directory)
+        assert workspace.agrees()[1] == NOTHING, name
+
+
+def test_files_that_change_while_all_is_told(workspace: Workspace) -> None:
+    """What was told of the text of before is not taken for what is told of the one of now."""
+    more = """
+document = "README.md"
+real = judges.judged
+
+def judged(*given):
+    told = real(*given)
+    open(document, "w").write("roslaunch beta broken.launch idle:=2\\n")
+    return told
+
+judges.judged = judged
+"""
+    put("README.md", "roslaunch beta broken.launch robot:=2\n")(workspace.directory)
+    workspace.run(more=more)
+    assert workspace.agrees()[1] == NOTHING
 
 
 def test_others_are_read_who_show_something_of_the_same_file(workspace: Workspace) -> None:
@@ -253,7 +293,8 @@ MOMENTS = (
 )
 
 
-TABLES = ("entries", "files", "shared", "said", "groups", "told", "whole", "outcome", "answers", "rows", "programs")
+OF_RUN = ("run", "telling", "looked", "outcome")
+TABLES = ("entries", "files", "shared", "said", "groups", "told", "whole", "answers", "rows", "programs", *OF_RUN)
 """Tables of the database, and keys in the one called ``held``."""
 
 
@@ -276,13 +317,13 @@ def test_rows_of_another_moment(workspace: Workspace, tmp_path: Path) -> None:
         for table in TABLES:
             older(workspace.database, table, before)
             assert workspace.run()[0] == now, (number, table)
-            older(workspace.database, table, before)
+            older(workspace.database, table, before, *(("telling",) if table not in OF_RUN else ()))
             one.write_text(text.replace(GIVES.format("one"), GIVES.format("uno")))
             assert workspace.run()[0] == later, (number, table, "and one more change")
             one.write_text(text)
             shutil.copy(after, workspace.database)
         for table in ("groups", "told", "whole"):
-            older(workspace.database, table, before)
+            older(workspace.database, table, before, "telling")
             workspace.directory.rename(tmp_path / "aside")
             files.rename(workspace.directory)
             assert workspace.run()[0] == then, (number, table, "and all is as it was then")
@@ -291,15 +332,15 @@ def test_rows_of_another_moment(workspace: Workspace, tmp_path: Path) -> None:
             shutil.copy(after, workspace.database)
 
 
-def older(file: Path, table: str, before: Path) -> None:
-    """Put the rows of ``before`` into the database."""
+def older(file: Path, table: str, before: Path, *without: str) -> None:
+    """Put the rows of ``before`` into the database, and leave some of what is held out."""
     with closing(sqlite3.connect(file)) as database:
         database.execute("ATTACH ? AS before", (str(before),))
         is_table = database.execute("SELECT 1 FROM sqlite_master WHERE name = ?", (table,)).fetchone() is not None
         name, only = (table, "") if is_table else ("held", f"WHERE key = '{table}'")
         database.execute(f"INSERT OR REPLACE INTO {name} SELECT * FROM before.{name} {only}")
-        if table != "outcome":  # or nothing else would be looked at
-            database.execute("DELETE FROM held WHERE key = 'outcome'")
+        for key in ("run" if table not in OF_RUN else "", *without):  # or nothing else would be looked at
+            database.execute("DELETE FROM held WHERE key = ?", (key,))
         database.commit()
 
 
@@ -307,7 +348,7 @@ def test_rows_that_somebody_else_wrote(workspace: Workspace) -> None:
     from launchlint.check.rows import sealed
 
     said = workspace.run()[0]
-    for key in ("whole", "outcome", "programs"):
+    for key in ("whole", "programs", "answers", *OF_RUN):
         for value in ([], {}, [1, 2, 3, 4, 5], "x", {"ROS 1": 7}, [[], [], {}, {}, {}]):
             with closing(sqlite3.connect(workspace.database)) as database:
                 database.execute("INSERT OR REPLACE INTO held VALUES (?, ?)", (key, sealed(key, value)))
@@ -317,6 +358,6 @@ def test_rows_that_somebody_else_wrote(workspace: Workspace) -> None:
         with closing(sqlite3.connect(workspace.database)) as database:
             keys = [key for (key,) in database.execute(f"SELECT key FROM {table}")]
             database.executemany(f"INSERT OR REPLACE INTO {table} VALUES (?, ?)", [(key, sealed(key, [7])) for key in keys])
-            database.execute("DELETE FROM held WHERE key = 'outcome'")
+            database.execute("DELETE FROM held WHERE key = 'run'")
             database.commit()
         assert workspace.run()[0] == said, table
