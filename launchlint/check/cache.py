@@ -40,12 +40,17 @@ _HELD = "rows"
 _HOLDING = ("entries", "files", "shared", "groups")
 """Tables of rows of which the stamp of the workspaces may tell."""
 _ANSWERS = "answers"
+_ALL = "all"
 _PROGRAMS = "programs"
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import TypeVar
+
     from launchlint.knowledge.own import OwnSources
     from launchlint.knowledge.programs import Digest
+
+    Made = TypeVar("Made")
 
 
 class Hang(NamedTuple):
@@ -80,8 +85,9 @@ class Cache:
         self.surroundings = Surroundings(checker.options, checker.packages, held, held.version)
         name = self.surroundings.name
         self._rows = Rows(directory, None if name is None else f"{name}.sqlite")
-        self._held_before = self._read_held()
+        self._held_before = frozenset(self._at_stamp(_HELD, str).split())  # the seals of the rows that held
         self._answers = self._read_answers()
+        self._by_stamp: dict[str, str] = self._at_stamp(_ALL, dict)
         self._kept_programs: dict[str, dict[str, Digest]] | None = None
         self._holding: set[str] = set()
         self._held_written = self._held_before
@@ -260,8 +266,12 @@ class Cache:
 
     def _answer(self, question: str) -> str:
         """The state of an answer: as it was given, where all that it hangs on is as it was; else as it is given now."""
-        known = self._kept_answer(question)
-        return answer(self._packages, question) if known is None else known
+        known = self._kept_answer(question) or self._by_stamp.get(question)
+        if known is None:
+            known = answer(self._packages, question)
+            if question.split(" ")[1:2] == [_ALL]:
+                self._by_stamp[question] = known
+        return known
 
     def _kept_answer(self, question: str) -> str | None:
         """The state of an answer that was given, where all that it hangs on is as it was."""
@@ -315,14 +325,14 @@ class Cache:
         known = {each.middleware: each.digests for each in self._own.all if each.digests}
         return {} if known == self._kept_programs else {_PROGRAMS: sealed(_PROGRAMS, known)}
 
-    def _read_held(self) -> frozenset[str]:
-        """The seals of the rows that held when the workspaces had this stamp."""
-        for _, row in self._rows.values("held", (_HELD,)):
+    def _at_stamp(self, key: str, kind: type[Made]) -> Made:
+        """What is held under ``key``, of this kind, if it was when the workspaces had this stamp; else an empty one."""
+        for _, row in self._rows.values("held", (key,)):
             with suppress(*BROKEN):
-                stamp, seals = row.value
-                if stamp == self.surroundings.stamp:
-                    return frozenset(seals.split())
-        return frozenset()
+                stamp, value = row.value
+                if stamp == self.surroundings.stamp and isinstance(value, kind):
+                    return value
+        return kind()
 
     def _state(self, path: str) -> str:
         """What there is at a path; of a part of a text it takes time to find, and is known where the text was read before."""
@@ -406,6 +416,7 @@ class Cache:
         """Keep ``rows``, as :func:`sealed` makes them, by table and key, and what the stamp tells of groups among them."""
         told = {_of("groups", key): sealed(_of("groups", key), with_digest(looks)) for key, looks in said.items()}
         held = {**rows.get("held", {}), **self._now_holding(rows), **self._now_known()}
+        held[_ALL] = sealed(_ALL, [self.surroundings.stamp, self._by_stamp])
         self._rows.write({**rows, "said": told, "held": held}, gone)
 
     def _now_holding(self, new: Mapping[str, Mapping[str, str]]) -> dict[str, str]:

@@ -55,6 +55,7 @@ class Groups:
         self._before: dict[str, Member] = {}
         self._told: dict[str, dict[str, AtFile]] = {}
         self._true: dict[str, Hang] = {}
+        self._last: tuple[Any, dict[str, AtFile]] | None = None
 
     def _find(self) -> None:
         """Find what is kept, all of it or nothing, and what of it is true."""
@@ -169,11 +170,16 @@ class Groups:
         self, new: Mapping[str, EntryResult], showing: Mapping[str, str], concerned: frozenset[str], parts: frozenset[str]
     ) -> dict[str, AtFile] | None:
         """What is told of ``concerned`` files, of which those entry files show anything that are ``showing``, with their seals."""
+        asked = dict(showing), concerned, parts
+        if self._last is not None and self._last[0] == asked:
+            return self._last[1]
         more = self._cache.results({key: self._requests[key] for key in showing if key not in new}, showing)
         if more is None:
             return None
         several = [*more, *(new[key] for key in showing if key in new)]
-        return gathered(several, [each for each in several if not is_part(each.summary, parts)], concerned)
+        found = gathered(several, [each for each in several if not is_part(each.summary, parts)], concerned)
+        self._last = asked, found
+        return found
 
     def _concerned(self, members: Sequence[Member], parts: frozenset[str]) -> frozenset[str]:
         """The files of which something else may be told than before."""

@@ -294,7 +294,7 @@ MOMENTS = (
 
 
 OF_RUN = ("run", "telling", "looked", "outcome")
-TABLES = ("entries", "files", "shared", "said", "groups", "told", "whole", "answers", "rows", "programs", *OF_RUN)
+TABLES = ("entries", "files", "shared", "said", "groups", "told", "whole", "answers", "all", "rows", "programs", *OF_RUN)
 """Tables of the database, and keys in the one called ``held``."""
 
 
@@ -348,7 +348,7 @@ def test_rows_that_somebody_else_wrote(workspace: Workspace) -> None:
     from launchlint.check.rows import sealed
 
     said = workspace.run()[0]
-    for key in ("whole", "programs", "answers", *OF_RUN):
+    for key in ("whole", "programs", "answers", "all", *OF_RUN):
         for value in ([], {}, [1, 2, 3, 4, 5], "x", {"ROS 1": 7}, [[], [], {}, {}, {}]):
             with closing(sqlite3.connect(workspace.database)) as database:
                 database.execute("INSERT OR REPLACE INTO held VALUES (?, ?)", (key, sealed(key, value)))
