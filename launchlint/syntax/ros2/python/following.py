@@ -34,6 +34,7 @@ from launchlint.syntax.ros2.python.noticing import Noticing
 from launchlint.syntax.ros2.python.paths import is_path, spelled
 from launchlint.syntax.ros2.python.recogniser import PACKAGES, LaunchRecogniser, Outside
 from launchlint.syntax.ros2.python.running import VARIABLES
+from launchlint.syntax.ros2.python.texts import is_of_class
 from launchlint.syntax.ros2.python.workspace_modules import WorkspaceModules
 from launchlint.workspace import looking
 
@@ -182,6 +183,9 @@ class Following(Noticing):
         """Call something of a module that is not followed."""
         if name == "builtins.open":
             return self.known.files.call(name, positional, keywords, self.place(node, scope))
+        known = is_of_class(*positional) if name == "builtins.isinstance" and len(positional) == 2 else None
+        if known is not None:
+            return known
         return super().call_external(name, positional, keywords, node, scope)
 
     def keys_for(self, items: Sequence[Value], key: Value = None) -> list[Value]:

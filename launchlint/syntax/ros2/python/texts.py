@@ -60,6 +60,20 @@ def is_substitution(value: Value) -> bool:
     return isinstance(value, Handle) and value.kind in SUBSTITUTIONS
 
 
+def is_of_class(value: Value, type_: Value) -> bool | None:
+    """``isinstance(value, type_)`` for an object of launch and a class of launch; None where that is not known."""
+    if isinstance(type_, Seq):
+        answers = [is_of_class(value, each) for each in type_.items]
+        return True if True in answers else None if None in answers or not type_.complete else False
+    if not isinstance(value, Handle) or not isinstance(type_, External) or not type_.name.startswith(("launch.", "launch_ros.")):
+        return None
+    word = type_.name.rpartition(".")[2]
+    if word == value.kind or (word == "Substitution" and value.kind in SUBSTITUTIONS):
+        return True
+    apart = SUBSTITUTIONS.issuperset((word, value.kind)) and not word.startswith("Find")  # one that finds is made of another
+    return False if apart else None
+
+
 def is_own_substitution(value: Value) -> bool:
     """Whether a value is an object of a class of the program that is made of launch's Substitution, and can be performed."""
     if not isinstance(value, Instance) or not any(isinstance(each, External) and each.name in _BASES for each in value.type.order):
