@@ -30,6 +30,7 @@ from launchlint.python.values import (
     Handle,
     Instance,
     Map,
+    Module,
     Outside,
     Partial,
     Quiet,
@@ -134,6 +135,8 @@ class Calls(Members):
             return choice([(condition, self.call(each, positional, keywords, node, scope)) for condition, each in function.alternatives])
         if self.exact and isinstance(function, (*SIMPLE, Seq, Map, Failure)):
             return self.fails("TypeError", "object is not callable")
+        if isinstance(function, Module):
+            self.doubt(f"the module {function.name} is called, which no module can be", scope.module.path, getattr(node, "lineno", 1))
         self.risks += 1
         self._give([*positional, *keywords.values()], node, scope)
         return UNKNOWN

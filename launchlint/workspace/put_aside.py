@@ -9,15 +9,16 @@ from launchlint.spelling import switched_off
 from launchlint.workspace.looking import names as names_in
 
 _ASIDE = late(
-    r"(?:.*[_. -])?(?:deprecated|obsolete|outdated|unused|not_?used|archives?|archived|backups?|bak|bkp|old|attic|trash|graveyard)"
-    r"|(?:deprecated|obsolete|outdated|unused|archived|old|not|do_not)[_. -].*"
+    r"(?:.*[_. -])?(?:deprecated|discontinued|obsolete|outdated|unused|not_?used|archives?|archived|backups?|bak|bkp|old|attic|trash"
+    r"|graveyard)"
+    r"|(?:deprecated|discontinued|obsolete|outdated|unused|archived|old|not|do_not)[_. -].*"
     r"|(?:backups?|bak|bkp)[_. -](?:.*[_. -])?(?:packages|pkgs?|files?|launch(?:es)?|scripts?|code|src|configs?|workspace|ws|\d+)",
     re.IGNORECASE,
 )
 """Names of directories for what is no longer used: `backup_packages`, too; `backup_camera` and `archive_tools` are none."""
 _FILE_ASIDE = late(
-    r".*[_. (-](?:deprecated|obsolete|outdated|unused|not_?used|backup|bak|bkp|old)\)?(?:\.launch)?(?:\.\w+)?"
-    r"|(?:deprecated|obsolete|outdated|unused|not_?used|old)[_-].*",
+    r".*[_. (-](?:deprecated|discontinued|obsolete|outdated|unused|not_?used|backup|bak|bkp|old)\)?(?:\.launch)?(?:\.\w+)?"
+    r"|(?:deprecated|discontinued|obsolete|outdated|unused|not_?used|old)[_-].*",
     re.IGNORECASE,
 )
 """Names of launch files that are not used any longer: `arm_old.launch`, `old_arm.launch`, `arm(bak).launch`, `arm.bak.launch`."""

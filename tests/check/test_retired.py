@@ -28,6 +28,7 @@ def severity(path: str, *, included: tuple[str, ...] = (), entry: str = "launch/
     [
         "old",
         "Deprecated",
+        "doc/discontinued",
         "launch/obsolete",
         "src/archive",
         "backup",
@@ -43,7 +44,9 @@ def test_directories_for_what_was_put_aside(directory: str) -> None:
     assert severity(f"{directory}/robot.launch") is Severity.INFO
 
 
-@pytest.mark.parametrize("directory", ["launch", "backup_camera", "archive_tools", "household", "oldenburg", "threshold", "robot.old.d"])
+@pytest.mark.parametrize(
+    "directory", ["launch", "backup_camera", "discontinuous_control", "archive_tools", "household", "oldenburg", "threshold", "robot.old.d"]
+)
 def test_directories_for_what_is_used(directory: str) -> None:
     assert severity(f"{directory}/robot.launch") is Severity.ERROR
 

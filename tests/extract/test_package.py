@@ -439,3 +439,21 @@ def test_implementations_that_call_each_other_are_followed_to_an_end(tmp_path: P
     default = program(root, "node", "node")["variants"]["default"]
     assert [each["name"] for each in default["publishers"]] == ["last"]
     assert not any("too long" in reason for reason in default.get("open", {}).values())
+
+
+def test_a_module_that_is_called_leaves_all_open(tmp_path: Path) -> None:
+    """``from drive import Drive`` takes the module of that name where the package does not take in its class: nobody knows what was meant."""
+    files = {
+        "demo/package.xml": MANIFEST.format(name="demo", more=""),
+        "demo/setup.py": "from setuptools import setup\nsetup(packages=['drive'], package_dir={'': 'src'})\n",
+        "demo/src/drive/__init__.py": "",
+        "demo/src/drive/Drive.py": "import rospy\nfrom std_msgs.msg import String\nclass Drive:\n"
+        "    def __init__(self):\n        self.pub = rospy.Publisher('speed', String, queue_size=1)\n",
+        "demo/scripts/node.py": "#!/usr/bin/env python\nimport rospy\nfrom drive import Drive\nrospy.init_node('drive')\nDrive()\n",
+    }
+    variant = program(grow(tmp_path / "ws", files), "demo", "node.py")["variants"]["default"]
+    assert "the module drive.Drive is called" in variant["open"]["publishers"]
+    files["demo/src/drive/__init__.py"] = "from .Drive import Drive\n"
+    variant = program(grow(tmp_path / "other", files), "demo", "node.py")["variants"]["default"]
+    assert [each["name"] for each in variant["publishers"]] == ["speed"]
+    assert "publishers" not in variant.get("open", {})

@@ -78,6 +78,7 @@ from launchlint.source import Place
 from launchlint.syntax.parts import Literal, Parts, Substitution
 from launchlint.syntax.ros1.substitutions import parse, parts_of
 from launchlint.workspace.looking import exists
+from launchlint.workspace.ros2_distributions import READ_AS
 
 RULE = Rule("LL406", "non-portable-path", Severity.WARNING, fixable="safe")
 
@@ -268,7 +269,10 @@ def _absolute(value: str, tag: str) -> _Fault | None:
     start = "/".join(value.split("/")[:3]) if home is None else home[0]
     ros = re.match(r"/opt/ros/(\w+)/", value)
     note = "it is there on this machine only" if ros is None else f"it is there where {ros[1]} is installed only"
-    return _Fault(f"{value} is an absolute path", note, f"write {instead or _ANY_NAME}", cause=start, instead=instead)
+    help = f"write {instead or _ANY_NAME}"
+    if ros is not None and ros[1] in READ_AS:  # nothing else in the file says that it is for ROS 2
+        help, instead = f"write {(instead or _ANY_NAME).replace('$(find ', '$(find-pkg-share ')}", ""
+    return _Fault(f"{value} is an absolute path", note, help, cause=start, instead=instead)
 
 
 class _Path(NamedTuple):

@@ -54,8 +54,15 @@ def signed(end: Endpoint, others: Iterable[tuple[Channel, list[Endpoint]]], sign
 
 
 def speak_alike(end: Endpoint, other: Endpoint) -> bool:
-    """Whether both have one type, or ``end`` takes any."""
-    return not is_known(end.type) or stands_for(other.type) == stands_for(end.type)
+    """Whether both have one type, or ``end`` takes any, and they are not the two ways of one line to the outside."""
+    return (not is_known(end.type) or stands_for(other.type) == stands_for(end.type)) and not _lead_outside(end, other)
+
+
+def _lead_outside(end: Endpoint, other: Endpoint) -> bool:
+    """Whether one says what comes from outside, ``audio_in``, and the other hears what is to go there, ``audio_out``."""
+    giver, taker = (end, other) if end.role in OFFERS else (other, end)
+    said, heard = (each.declared.replace("put", "") for each in (giver, taker))
+    return said != heard and said.endswith("_in") and heard == f"{said[:-3]}_out"
 
 
 def types(ends: Iterable[Endpoint]) -> set[str]:

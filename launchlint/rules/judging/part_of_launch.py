@@ -1,9 +1,10 @@
-"""Launch files of ROS 2 that are parts of a whole: what gives the names that they wait for may be started around them."""
+"""Launch files that are parts of a whole: what gives the names that they wait for may be started around them."""
 
 from __future__ import annotations
 
 import posixpath
 
+from launchlint.evaluate.problems import RequiredArgUnset
 from launchlint.graph.names import kind
 from launchlint.model import ROS2
 
@@ -18,10 +19,13 @@ _OTHER_LANGUAGES = (".py", ".yaml", ".yml")
 def comes_from_around(view: GraphView, taker: Endpoint, giver: Endpoint) -> bool:
     """Whether the global name that ``taker`` waits for is probably given by what the launch file is a part of, and not by ``giver``.
 
-    So it is where the file has args without a default, so that nobody starts it as it is; and where another launch file of its package
-    names it, and ``giver`` would have that very name in the namespace which that one may put the whole file into.
+    So it is where the file has args without a default, so that nobody starts it as it is (in ROS 1 with any name: whatever includes the
+    file may put it into a namespace); and where another launch file of its package names it, and ``giver`` would have that very name in the
+    namespace which that one may put the whole file into.
     """
-    if view.launch.dialect != ROS2 or not _is_global(taker):
+    if view.launch.dialect != ROS2:
+        return any(isinstance(each, RequiredArgUnset) and each.origin.step is None for each in view.launch.problems)
+    if not _is_global(taker):
         return False
     if _wants_args(view):
         return True
