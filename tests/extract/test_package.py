@@ -442,7 +442,7 @@ def test_implementations_that_call_each_other_are_followed_to_an_end(tmp_path: P
 
 
 def test_a_module_that_is_called_leaves_all_open(tmp_path: Path) -> None:
-    """``from drive import Drive`` takes the module of that name where the package does not take in its class: nobody knows what was meant."""
+    """``from drive import Drive`` takes the module of that name where the package lacks the class: nobody knows what was meant."""
     files = {
         "demo/package.xml": MANIFEST.format(name="demo", more=""),
         "demo/setup.py": "from setuptools import setup\nsetup(packages=['drive'], package_dir={'': 'src'})\n",
