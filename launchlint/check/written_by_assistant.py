@@ -1,6 +1,7 @@
 """What MoveIt's Setup Assistant writes into every package it makes: switches that nobody gives, what is set twice, and the panda.
 
-The assistant keeps what it was told in a file ``.setup_assistant`` at the top of the package. Its launch files offer choices (a fake
+The assistant keeps what it was told in a file ``.setup_assistant`` at the top of the package, which is lost where only what is seen is
+copied: for an arg that nothing reads the launch files that it always writes will do. Its launch files offer choices (a fake
 execution, a database) whether or not the files behind them were written, too; and some set a param twice, which it would write again.
 """
 
@@ -13,7 +14,7 @@ from launchlint.check.given_together import BOOLEANS
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
-from launchlint.workspace.looking import is_file
+from launchlint.workspace.looking import is_file, names
 
 NOTE = "MoveIt's Setup Assistant writes this switch into every package, and no launch file here gives {}"
 AGAIN = "MoveIt's Setup Assistant writes this file so, and would again"
@@ -29,6 +30,8 @@ _FILES = late(
     r"(?:demo|demo_gazebo|move_group|moveit_rviz|planning_context|default_warehouse_db)\.launch"
     r"|[\w-]*(?:controller_manager|planning_pipeline|trajectory_execution|sensor_manager|warehouse|warehouse_settings)\.launch\.xml"
 )
+_ALWAYS = frozenset(("move_group.launch", "planning_context.launch", "planning_pipeline.launch.xml", "trajectory_execution.launch.xml"))
+"""What it writes into every package, in the directory of the launch files."""
 _OF_PANDA = "ompl-chomp_planning_pipeline.launch.xml"
 """What it writes for any robot as it is for the panda, whose files it names."""
 _DEMOS = frozenset(("demo.launch", "demo_gazebo.launch"))
@@ -50,7 +53,7 @@ def judged_by_assistant(findings: Iterable[Finding], known: Known) -> Iterator[F
             from launchlint.rules.args.unused_arg import name_of
 
             name = name_of(finding)
-            if name in _ARGS and _is_made(finding, known):
+            if name in _ARGS and (_is_made(finding, known) or _is_beside_its_files(finding, known)):
                 note = f"MoveIt's Setup Assistant declares {name} in such a file"
                 finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, note), cause=f"{finding.cause}; {note}")
         yield finding
@@ -69,3 +72,8 @@ def _is_made(finding: Finding, known: Known) -> bool:
     """Whether the assistant made the package that holds the file of ``finding``."""
     package = known.packages.package_of(known.file(finding.location.path))
     return package is not None and is_file(os.path.join(package.directory, ".setup_assistant"))
+
+
+def _is_beside_its_files(finding: Finding, known: Known) -> bool:
+    """Whether all launch files that the assistant always writes are in the directory of ``finding``."""
+    return _ALWAYS.issubset(names(os.path.dirname(known.file(finding.location.path))))
