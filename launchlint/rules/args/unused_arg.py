@@ -15,7 +15,8 @@ include passes the arg and nobody is likely to give it: it has no default (rosla
 of a template is in nobody's way), or the file is a `.test`; where the file holds nothing but args, to keep the place of one that other
 robots have (as MoveIt's Setup Assistant writes them); and where the package is a copy of a public one among packages of other people. All
 args of one file that are never read are told as one, and so are those of the same names in several files, which mostly were copied from
-each other; in files of one directory also where some of them leave unread only some of these args, two or more.
+each other; in files of one directory also where some of them leave unread only some of these args, two or more, or where several leave
+one each that together are all of them: a file was divided.
 
 In ROS 2 an arg is seen by all that is executed after it, passed on or not. There it is told of only where neither its file reads it
 (`$(var …)`) nor any file that is included by it or executed later; not where one of these is in Python or not
@@ -74,6 +75,7 @@ from launchlint.rules.judging.arg_comments import (
     says_so,
     speaks_of,
 )
+from launchlint.rules.judging.divided import with_parts
 from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.one_interface import taken_beside
@@ -292,7 +294,10 @@ def _where_most_are(findings: Sequence[Finding]) -> Finding:
 
 
 def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
-    """One for files of one directory that leave the same args unread, or two or more of the same: one was made from the other."""
+    """One for files of one directory that leave the same args unread, or two or more of the same: one was made from the other.
+
+    So were several that leave one each unread, of a file that leaves them all, in the same words: it was divided.
+    """
     groups: list[list[Finding]] = []
     for finding in sorted(findings, key=lambda each: -len(each.about)):
         longer = next((group for group in groups if finding.about and _is_copied(finding, group[0])), None)
@@ -300,8 +305,13 @@ def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
             groups.append([finding])
         else:
             longer.append(finding)
-    for group in groups:
+    for group in with_parts(groups, name_of, _kind):
         yield joined(group, group[0]) if len(group) > 1 else group[0]
+
+
+def _kind(finding: Finding) -> tuple[object, ...]:
+    """What is the same for findings of files of one directory that may have been made from each other."""
+    return finding.severity, finding.notes[:1], posixpath.dirname(finding.location.path)
 
 
 def idea(finding: Finding) -> tuple[object, ...] | None:
@@ -314,9 +324,7 @@ def idea(finding: Finding) -> tuple[object, ...] | None:
 
 def _is_copied(finding: Finding, longer: Finding) -> bool:
     """Whether all args of a told finding are among those of another one of its kind, which is about files of the same directory."""
-    kind = (longer.severity, longer.notes[:1], posixpath.dirname(longer.location.path))
-    same = (finding.severity, finding.notes[:1], posixpath.dirname(finding.location.path)) == kind
-    return same and frozenset(finding.about) <= frozenset(longer.about)
+    return _kind(finding) == _kind(longer) and frozenset(finding.about) <= frozenset(longer.about)
 
 
 def _without_default(names: Sequence[str]) -> str:
