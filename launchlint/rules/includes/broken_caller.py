@@ -1,7 +1,8 @@
 """The args of a launch file do not fit the files that include it.
 
 What it does: it looks at all includes of the run together. Where two or more of them fail at the same arg (or pass the same
-args that are not declared) of one file, it tells so at that file, with its callers: the file has most likely changed.
+args that are not declared) of one file, it tells so at that file, with its callers: the file has most likely changed. Where the same
+callers do both, that is told once: an arg was renamed.
 
 ## Why it matters
 
@@ -75,6 +76,7 @@ from launchlint.rules.view import RunView
 
 RULE = Rule("LL407", "broken-caller", Severity.ERROR, roslaunch="refuses")
 _MISSING = " missing"
+_BREAKS = "breaks here"
 
 _MOST_SHOWN = 8
 
@@ -85,6 +87,7 @@ def check(view: RunView) -> Iterator[Finding]:
     calls: dict[tuple[str, str, bool], dict[tuple[str, int], Location]] = {}
     known: dict[str, tuple[str, ...]] = {}
     launchers: dict[str, str] = {}
+    renamed: dict[tuple[str, frozenset[str]], str] = {}
     included = {path for entry in view.entries for path in entry.included if path != entry.path}
     for entry in view.entries:
         roots.update(entry.roots)
@@ -94,6 +97,9 @@ def check(view: RunView) -> Iterator[Finding]:
             launchers[call.target] = entry.launcher
             known[call.target] = known.get(call.target) or call.known
             calls.setdefault((call.target, call.name, call.missing), {})[call.location.path, call.location.start] = call.location
+    for (target, name, missing), callers in calls.items():
+        if not missing and ", " not in name:
+            renamed[target, frozenset(path for path, _ in callers)] = name
     for (target, name, missing), callers in sorted(calls.items()):
         root = roots.get(target)
         if root is None or len({path for path, _ in callers}) < 2:
@@ -101,6 +107,8 @@ def check(view: RunView) -> Iterator[Finding]:
         places = [callers[key] for key in sorted(callers)]
         args, it = ("args", "them") if ", " in name else ("arg", "it")
         wrong = f"do not pass the arg {name}, which it needs" if missing else f"pass the {args} {name}, which it does not declare"
+        instead = renamed.get((target, frozenset(path for path, _ in callers)), "") if missing else ""
+        meant = f"is {instead}, which they pass, meant to be {name}? Else " if instead else ""
         more = (f"and {len(places) - _MOST_SHOWN} more",) if len(places) > _MOST_SHOWN else ()
         yield Finding(
             RULE.id,
@@ -109,13 +117,21 @@ def check(view: RunView) -> Iterator[Finding]:
             root,
             f"{len(places)} includes of this file {wrong}",
             label="this file",
-            related=tuple(Related(place, "breaks here") for place in places[:_MOST_SHOWN]),
+            related=tuple(Related(place, _BREAKS) for place in places[:_MOST_SHOWN]),
             notes=(*more, f"{launchers[target]} refuses each of the launch files that hold them"),
-            help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing {it} there",
+            help=f"{meant}give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing {it} there",
             element=f"{target} {name}",
             topic=f"{name}{_MISSING if missing else ' undeclared'}",
             cause=lacking_call(target) if missing else undeclared_call(target, name.split(", "), known[target]),
         )
+
+
+def idea(finding: Finding) -> tuple[object, ...] | None:
+    """The same files do not pass what a file needs, and pass what it does not declare: its args were changed, most likely renamed."""
+    if finding.rule != RULE.id:
+        return None
+    callers = {each.location.path for each in finding.related if each.label == _BREAKS}
+    return (finding.location.path, *sorted(callers)) if callers else None
 
 
 def together(findings: Sequence[Finding]) -> Finding:
