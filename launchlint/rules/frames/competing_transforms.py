@@ -6,8 +6,8 @@ of a plain URDF that a `robot_state_publisher` gets. It is an error where two st
 where they say the same twice (a fixed joint and a static publisher with the same numbers do, too), or where one of the two is published
 upon a message that nothing in the launch sends, and a warning elsewhere; and a step milder where both are started only with another value
 of an arg than its default. Two publishers are told of once, with all the frames that both publish, and so are all static publishers of
-one file that say again what one node publishes, and the same programs in several launch files. Nodes whose `/tf` is remapped apart do not
-meet, and with a `tf_prefix` in the launch the rule is silent.
+one file that say again what one node publishes, and the same programs in several launch files. Of two nodes of one name LL301 tells.
+Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in the launch the rule is silent.
 
 ## Why it matters
 
@@ -66,7 +66,7 @@ def check(view: GraphView) -> Iterator[Finding]:
     for group in known.values():
         first = group[0]
         for other in group[1:]:
-            if other.instance is not first.instance:
+            if other.instance.name != first.instance.name:  # of two nodes of one name LL301 says that roslaunch refuses the file
                 severity = _level(first, other, graph)
                 pairs.setdefault((severity, id(first.instance), _told_with(first, other)), []).append((first, other))
     for both in pairs.values():
