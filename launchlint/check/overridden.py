@@ -11,6 +11,8 @@ from launchlint.syntax.ros1.substitutions import parse
 NOTE = "only the default of {} leads there: the launch files here that include this one give it another value"
 NOTE2 = "only the defaults of this file lead there: the launch files here that include it name another one"
 _NAMED = frozenset(("LL401", "LL502"))
+_FOR_NODES = "LL411"
+"""What nodes are told to read."""
 
 
 def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
@@ -19,7 +21,7 @@ def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[F
         if _is_warning_of_ros2(finding) and finding.key in known.by_default:
             if _is_overridden_everywhere(known.reached.get(finding.key, frozenset()), known):
                 finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE2))
-        elif finding.severity is Severity.ERROR and finding.rule in _NAMED and finding.key in known.by_default:
+        elif _is_of_missing_file(finding) and finding.key in known.by_default:
             path, at = finding.location.path, finding.location
             names = list(parse(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text).names("arg"))
             if names and _is_overridden_everywhere(known.reached.get(finding.key, frozenset()), known):
@@ -28,6 +30,11 @@ def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[F
                 if given:
                     finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(given[0])))
         yield finding
+
+
+def _is_of_missing_file(finding: Finding) -> bool:
+    """Whether roslaunch, or a node that it starts, finds no file."""
+    return finding.severity > Severity.INFO if finding.rule == _FOR_NODES else finding.severity is Severity.ERROR and finding.rule in _NAMED
 
 
 def _is_warning_of_ros2(finding: Finding) -> bool:

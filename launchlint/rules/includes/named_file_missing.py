@@ -7,9 +7,10 @@ file of nearly that name is there. It is an info where a file is made: by a comm
 it, by another node or another launch file of the package, or by what `.gitignore` keeps out of the repository; where its directory is there
 and holds nothing but a README or the like: what belongs there is put there on each machine; where it lies in a git submodule that is not
 checked out; where `CMakeLists.txt` installs a file to just this place; where the package has no file of that kind at all; where the arg
-that is to be the name of the file is empty; and where args make the name and it takes another value than a default. Files that lie in one
-other directory, and those of one kind that one directory lacks, are told of together. Silent it is where the name is made from an
-environment variable, also by way of args. What LL401 or LL502 tells is not told again.
+that is to be the name of the file is empty; where args make the name and it takes another value than a default; and where only the default
+of an arg leads there that all launch files here override which include this one. Files that lie in one other directory, and those of one
+kind that one directory lacks, are told of together. Silent it is where the name is made from an environment variable, also by way of args.
+What LL401 or LL502 tells is not told again.
 
 In ROS 2 it looks at the `args` of nodes, and is silent about what the build installs, or may install, to that place.
 
