@@ -13,6 +13,7 @@ from launchlint.check.fragments import judged_by_inclusion
 from launchlint.check.given_elsewhere import judged_by_givers
 from launchlint.check.given_together import judged_by_callers
 from launchlint.check.known import Known
+from launchlint.check.left_behind import judged_by_build
 from launchlint.check.lost_files import judged_by_loss
 from launchlint.check.of_whole import judged_by_whole
 from launchlint.check.overridden import judged_by_includers
@@ -33,6 +34,7 @@ JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
     judged_by_origin,
     judged_by_inclusion,
     judged_by_includers,
+    judged_by_build,
     judged_by_assistant,
     judged_by_whole,
     judged_by_givers,

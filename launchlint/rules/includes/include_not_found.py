@@ -9,10 +9,11 @@ file that `CMakeLists.txt` installs to just this place (it is there from the ins
 names made from an environment variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a
 template that lies beside it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration,
 or by what `.gitignore` keeps out of the repository; for one in a git submodule that is not checked out; for one that roslaunch is to find
-in a package which is for ROS 2 here; and in a launch file that is called a template. So it is where only a switch leads there that MoveIt's
-Setup Assistant writes into every package, and that nothing here gives. A directory that is missing is told once, with all files that would
-be in it, and so is one in which files are looked for that lie in another, and one that lacks several files which one launch file names. A
-name with a placeholder (`__robot__`, `@ROBOT@`) is left alone, and so is an arg with `false` or `none` for a name.
+in a package which is for ROS 2 here; in a package with a `manifest.xml`, which rosbuild builds, about a file of one that catkin builds
+here; and in a launch file that is called a template. So it is where only a switch leads there that MoveIt's Setup Assistant writes into
+every package, and that nothing here gives. A directory that is missing is told once, with all files that would be in it, and so is one in
+which files are looked for that lie in another, and one that lacks several files which one launch file names. A name with a placeholder
+(`__robot__`, `@ROBOT@`) is left alone, and so is an arg with `false` or `none` for a name.
 
 ## Why it matters
 

@@ -16,9 +16,10 @@ directory around it (`src/robot/config/arm.yaml`); where the path is made from a
 where the file is made: by a command of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, also one of another
 launch file of the package, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked out,
 or in a directory with nothing but a README; where `CMakeLists.txt` installs a file to just this place, so that it is there from the install
-space only; where only the default of an arg leads there that all files which include this one override; and where that default is `none` or
-the like and files for other values are there. A directory that is missing is told once, with all files that would be in it, and so is one
-in which files are looked for that lie elsewhere, and one that lacks several files which one launch file names.
+space only; where only the default of an arg leads there that all files which include this one override; where that default is `none` or the
+like and files for other values are there; and in a package with a `manifest.xml`, which rosbuild builds, about a file of one that catkin
+builds here. A directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that
+lie elsewhere, and one that lacks several files which one launch file names.
 
 ## Example
 
