@@ -187,6 +187,7 @@ def _origin(package: Package, packages: Packages) -> _Origin:
         is_from_elsewhere,
         is_generated,
         is_of_copied_people,
+        is_of_team,
         is_released,
         is_renamed,
         is_signed,
@@ -214,7 +215,8 @@ def _origin(package: Package, packages: Packages) -> _Origin:
     if is_from_elsewhere(package, packages):
         return _Origin(NAMED.format(package.name), own=left_as_made(package, packages))
     if is_signed(package, packages):
-        return _Origin(SIGNED.format(package.name), package.directory, own=left_as_made(package, packages))
+        directory = "" if is_of_team(package, packages) else package.directory  # they may well be at home here: errors stay errors
+        return _Origin(SIGNED.format(package.name), directory, own=left_as_made(package, packages))
     if is_of_copied_people(package, packages):
         return _Origin(MADE.format(package.name), own=left_as_made(package, packages), is_changed=True)
     return _OWN

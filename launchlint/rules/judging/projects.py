@@ -194,6 +194,17 @@ def _answers_signed(packages: Packages, manifest_path: str) -> bool:
     return home is not None and packages.once(_Signed).from_elsewhere(home)
 
 
+def is_of_team(home: Package, packages: Packages) -> bool:
+    """Whether the people of ``home``, with all with whom they made a package here, made more packages than are without a licence."""
+    return packages.answer(_answers_of_team, home.manifest_path)
+
+
+@question
+def _answers_of_team(packages: Packages, manifest_path: str) -> bool:
+    home = packages.with_manifest(manifest_path)
+    return home is not None and packages.once(_Signed).is_of_team(home)
+
+
 class _Signed:
     """The packages that have a licence and people, and those that have none."""
 
@@ -211,6 +222,12 @@ class _Signed:
         found, looked = self._found[home.directory]
         note(looked)
         return found
+
+    def is_of_team(self, home: Package) -> bool:
+        """As :func:`is_of_team`."""
+        manifest = home.manifest
+        around = (licences for root, licences in self._workspaces if is_in(home.directory, root))
+        return manifest is not None and any(licences.has_fewer_than(manifest.people) for licences in around)
 
     def _is_from_elsewhere(self, home: Package) -> bool:
         manifest = home.manifest
@@ -233,6 +250,15 @@ class _Licences:
         self._words = frozenset[str]().union(*map(_words, bare.values()))
         self._people = Counter(person for manifest in manifests.values() for person in manifest.people)
         self._bare_people = everybody(bare.values())
+        self._all = [manifest.people for manifest in manifests.values()]
+        self._fewer: dict[frozenset[str], bool] = {}
+
+    def has_fewer_than(self, people: frozenset[str]) -> bool:
+        """Whether fewer packages are without a licence than are of ``people`` or of those with whom any of them made one."""
+        if people not in self._fewer:
+            team = people.union(*(each for each in self._all if not people.isdisjoint(each)))
+            self._fewer[people] = self._bare < sum(not team.isdisjoint(each) for each in self._all)
+        return self._fewer[people]
 
     def has_others(self, manifest: Manifest) -> bool:
         """Whether several packages, and more than its people have, are without a licence, and none of them is theirs."""
