@@ -11,8 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
-from launchlint.rules.judging.of_rosbuild import is_of_rosbuild
-from launchlint.syntax.ros1.substitutions import parse
+from launchlint.rules.judging.of_rosbuild import is_of_rosbuild, packages_named_in
 from launchlint.workspace.looking import content
 
 NOTE = "{} has a manifest.xml and is built with rosbuild only, and {}, of which it names the file, with catkin: it seems to be left behind"
@@ -48,7 +47,7 @@ def _left_behind(path: str, known: Known, left: dict[str, str]) -> str:
 def _of_catkin(finding: Finding, known: Known) -> str:
     """The only package that the place of ``finding`` names, where it is here and has a ``package.xml``; else empty."""
     at = finding.location
-    names = set(parse(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text).names("find"))
+    names = packages_named_in(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text)
     if len(names) != 1:
         return ""
     (name,) = names
