@@ -70,6 +70,16 @@ class Location(NamedTuple):
                 source.resolved[span] = known
         return known
 
+    @property
+    def marked(self) -> str:
+        """The text of the span; the whole line where it goes on in others."""
+        return self.text[self.column - 1 : self.end_column - 1] if self.line == self.end_line else self.text
+
+    @property
+    def bounds(self) -> tuple[str, int, int]:
+        """File, start and end: what tells two places apart."""
+        return self.path, self.start, self.end
+
     @classmethod
     def _resolved(cls, source: Source, span: Span) -> Location:
         """What :meth:`of` gives, worked out."""

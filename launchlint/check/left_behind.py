@@ -46,8 +46,7 @@ def _left_behind(path: str, known: Known, left: dict[str, str]) -> str:
 
 def _of_catkin(finding: Finding, known: Known) -> str:
     """The only package that the place of ``finding`` names, where it is here and has a ``package.xml``; else empty."""
-    at = finding.location
-    names = packages_named_in(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text)
+    names = packages_named_in(finding.location.marked)
     if len(names) != 1:
         return ""
     (name,) = names

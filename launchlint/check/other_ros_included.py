@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Set
 
     from launchlint.evaluate.assemble import Evaluation
-    from launchlint.model import Include
     from launchlint.rules.rule import Fine
+    from launchlint.source import Origin
     from launchlint.workspace.packages import Packages
 
 
@@ -28,7 +28,7 @@ class IncludesOfRos2:
     """The includes of one evaluation through which files of ROS 2 are read by roslaunch; ``rules`` are those that are asked for."""
 
     def __init__(self, evaluation: Evaluation, packages: Packages, rules: Set[str]) -> None:
-        self._through: dict[str, Include] = {}
+        self._through: dict[str, tuple[Origin, str]] = {}
         if evaluation.launch.dialect != ROS1 or OF_INCLUDES not in rules:
             return
         for include in evaluation.launch.includes:  # in the order in which they are followed
@@ -43,7 +43,7 @@ class IncludesOfRos2:
                 and built_for_ros2(source.file, packages) is not None
                 and told(document, ROS2, of_ros2_only=True) == ROS2
             ):
-                self._through[source.path] = include
+                self._through[source.path] = include.origin, source.path
 
     def has(self, path: str) -> bool:
         """Whether the file (as shown) is one of them."""
@@ -53,8 +53,7 @@ class IncludesOfRos2:
         """What is told in place of ``finding``, what roslaunch makes of the file at ``path``, one of these: that it is included."""
         from launchlint.rules.xml.wrong_dialect import included
 
-        include = self._through[path]
-        return included(include.origin, path if include.source is None else include.source.path, finding)
+        return included(*self._through[path], finding)
 
     def without(self, found: Iterable[Finding | Fine]) -> Iterator[Finding | Fine]:
         """What was ``found``, but for what lies in one of these files."""

@@ -22,8 +22,8 @@ def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[F
             if _is_overridden_everywhere(known.reached.get(finding.key, frozenset()), known):
                 finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE2))
         elif _is_of_missing_file(finding) and finding.key in known.by_default:
-            path, at = finding.location.path, finding.location
-            names = list(parse(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text).names("arg"))
+            path = finding.location.path
+            names = list(parse(finding.location.marked).names("arg"))
             if names and _is_overridden_everywhere(known.reached.get(finding.key, frozenset()), known):
                 uses, file = known.packages.arg_uses(), known.file(path)
                 given = [name for name in names if uses.is_passed(file, name)]

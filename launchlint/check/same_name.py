@@ -36,4 +36,4 @@ def judged_by_name(findings: Iterable[Finding], _: Known) -> Iterator[Finding]:
 
 
 def _place(finding: Finding) -> _Place:
-    return finding.location.path, finding.location.start, finding.location.end
+    return finding.location.bounds

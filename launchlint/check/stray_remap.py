@@ -16,7 +16,7 @@ _Place = tuple[str, int, int]
 def judged_by_remap(findings: Iterable[Finding], _: Known) -> Iterator[Finding]:
     """``findings``, a remap that does nothing with the cause of the name that is as bad and would be met by what the remap says."""
     told = list(findings)
-    vain = {(each.location.path, each.location.start, each.location.end): each for each in told if each.rule == _VAIN}
+    vain = {each.location.bounds: each for each in told if each.rule == _VAIN}
     causes: dict[_Place, str] = {}
     for number, each in enumerate(told if vain else ()):
         for place in _strays(each):
@@ -25,11 +25,11 @@ def judged_by_remap(findings: Iterable[Finding], _: Known) -> Iterator[Finding]:
                 causes[place] = each.cause or f"{each.rule} {each.location.path} {each.location.start} {each.message}"
                 told[number] = each._replace(cause=causes[place])
     for each in told:
-        place = (each.location.path, each.location.start, each.location.end)
+        place = each.location.bounds
         yield each._replace(cause=causes[place]) if each.rule == _VAIN and place in causes else each
 
 
 def _strays(finding: Finding) -> Iterator[_Place]:
     for each in finding.related if finding.rule in _LOOSE else ():
         if each.label == STRAY:
-            yield each.location.path, each.location.start, each.location.end
+            yield each.location.bounds
